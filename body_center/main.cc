@@ -1,0 +1,17 @@
+#include <CLI/CLI.hpp>
+
+#include "body_center/cli/commands.h"
+#include "common/base/exit_code.h"
+
+int main(int argc, char** argv) {
+  CLI::App app("Registers whole-body laser scans and serves them to the consumers they belong to", "body_center");
+  app.set_version_flag("--version", "body_center " FITROOM_VERSION);
+  app.require_subcommand(1);
+  int exit_code = 0;
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : static_cast<int>(fitroom::ExitCode::kUsage);
+  }
+  return exit_code;
+}

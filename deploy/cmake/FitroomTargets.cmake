@@ -1,0 +1,46 @@
+# How every target of the project is declared: one set of flags, sources listed by hand.
+
+# Warnings are for our code only; dependencies are included as SYSTEM.
+add_library(fitroom_flags INTERFACE)
+target_include_directories(fitroom_flags INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(fitroom_flags INTERFACE -Wall -Wextra -Wshadow -Wconversion -ffp-contract=off)
+if(FITROOM_WERROR)
+  target_compile_options(fitroom_flags INTERFACE -Werror)
+endif()
+if(FITROOM_SANITIZE)
+  target_compile_options(fitroom_flags INTERFACE -fsanitize=${FITROOM_SANITIZE} -fno-sanitize-recover=all
+                                                 -fno-omit-frame-pointer)
+  target_link_options(fitroom_flags INTERFACE -fsanitize=${FITROOM_SANITIZE})
+endif()
+if(FITROOM_COVERAGE)
+  target_compile_options(fitroom_flags INTERFACE --coverage)
+  target_link_options(fitroom_flags INTERFACE --coverage)
+endif()
+
+# A compiler cache halves rebuilds where one is installed; it is never required.
+find_program(FITROOM_CCACHE ccache)
+if(FITROOM_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${FITROOM_CCACHE})
+  set(CMAKE_C_COMPILER_LAUNCHER ${FITROOM_CCACHE})
+endif()
+
+# fitroom_add_library(NAME SOURCES a.cc b.cc PUBLIC libs PRIVATE libs)
+function(fitroom_add_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  if(arg_SOURCES)
+    add_library(${name} STATIC ${arg_SOURCES})
+    target_link_libraries(${name} PUBLIC fitroom_flags ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+  else()
+    add_library(${name} INTERFACE)
+    target_link_libraries(${name} INTERFACE fitroom_flags ${arg_PUBLIC})
+  endif()
+endfunction()
+
+# fitroom_add_program(NAME SOURCES main.cc PRIVATE libs)
+function(fitroom_add_program name)
+  cmake_parse_arguments(arg "" "" "SOURCES;PRIVATE" ${ARGN})
+  add_executable(${name} ${arg_SOURCES})
+  target_compile_definitions(${name} PRIVATE FITROOM_VERSION="${PROJECT_VERSION}")
+  target_link_libraries(${name} PRIVATE fitroom_flags ${arg_PRIVATE})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+endfunction()

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace fitroom {
+
+// Two particles that are to be sewn onto each other.
+struct SeamPair {
+  int a = 0;  // Particle on the front panel.
+  int b = 0;  // Particle on the back panel.
+};
+
+// A named point of the outline and the particle that sits on it.
+struct NamedParticle {
+  std::string name;  // As in OutlinePointNames(), with the panel in front: "front/e3", "back/hem_L".
+  int particle = 0;
+};
+
+// A garment before it is worn: panels cut from the photographs, at rest, flat, with the pairs to be sewn.
+// The rest shape, immutable while dressing; one mesh serves many bodies. Triangles are counter-clockwise seen from the
+// outside of the garment (front: from +Z; back: from -Z).
+// Rest frame: metres, x towards the wearer's left, y up, origin at Cp (the midpoint of P1 and P2), z = 0.
+struct ClothMesh {
+  std::vector<Eigen::Vector3d> rest_positions;
+  std::vector<Eigen::Vector3i> triangles;
+  std::vector<int> panel_of_particle;                // 0 front, 1 back.
+  std::vector<Eigen::Vector2d> texture_coordinates;  // Of the panel's photograph; (0,0) top left, (1,1) bottom right.
+  std::vector<SeamPair> seams;
+  std::vector<NamedParticle> named_particles;
+};
+
+}  // namespace fitroom

@@ -1,0 +1,17 @@
+#include <CLI/CLI.hpp>
+
+#include "common/base/exit_code.h"
+#include "fit_client/cli/commands.h"
+
+int main(int argc, char** argv) {
+  CLI::App app("Dresses your own body scan in a shop's garment, on your own computer", "fit_client");
+  app.set_version_flag("--version", "fit_client " FITROOM_VERSION);
+  app.require_subcommand(1);
+  int exit_code = 0;
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : static_cast<int>(fitroom::ExitCode::kUsage);
+  }
+  return exit_code;
+}

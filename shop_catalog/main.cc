@@ -1,0 +1,17 @@
+#include <CLI/CLI.hpp>
+
+#include "common/base/exit_code.h"
+#include "shop_catalog/cli/commands.h"
+
+int main(int argc, char** argv) {
+  CLI::App app("Publishes garments from photographs and lets consumers browse them", "shop_catalog");
+  app.set_version_flag("--version", "shop_catalog " FITROOM_VERSION);
+  app.require_subcommand(1);
+  int exit_code = 0;
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : static_cast<int>(fitroom::ExitCode::kUsage);
+  }
+  return exit_code;
+}

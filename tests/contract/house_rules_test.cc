@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace fitroom {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What the files below a folder may never include. The link graph keeps most of this; #include lines show it at once.
+struct Rule {
+  std::string folder;
+  std::vector<std::string> forbidden;  // Regular expressions over the included path.
+};
+
+const std::string kGrpc = R"(^(grpc|grpcpp|google/protobuf)/|\.pb\.h$|^common/rpc/)";
+const std::string kOpenCv = R"(^opencv2/)";
+const std::string kSqlite = R"(^sqlite3\.h$|^common/sqlite/)";
+const std::string kPrograms = R"(^(body_center|shop_catalog|fit_client)/)";
+
+const std::vector<Rule> kRules = {
+    {"common", {kPrograms, R"(^tests/)"}},
+    {"common/base", {R"(^common/(?!base/))", R"(^Eigen/)", kGrpc, kOpenCv, kSqlite}},
+    {"common/geometry", {R"(^common/(?!base/|geometry/))", kGrpc, kOpenCv, kSqlite}},
+    {"common/body", {R"(^common/(?!base/|geometry/|body/))", kGrpc, kOpenCv, kSqlite}},
+    {"common/image", {R"(^common/(?!base/|image/))", kGrpc, kSqlite}},
+    {"common/sqlite", {R"(^common/(?!base/|sqlite/))", kGrpc, kOpenCv}},
+    {"common/rpc", {R"(^common/(?!base/|rpc/))", kOpenCv, R"(^sqlite3\.h$)"}},
+    {"body_center", {R"(^(shop_catalog|fit_client)/)", kOpenCv}},
+    {"shop_catalog", {R"(^(body_center|fit_client)/)"}},
+    {"fit_client", {R"(^(body_center|shop_catalog)/)", kSqlite}},
+    {"body_center/scan", {kGrpc, kSqlite}},
+    {"shop_catalog/garment", {kGrpc, kSqlite}},
+    {"body_center/store", {kGrpc, kOpenCv}},
+    {"shop_catalog/store", {kGrpc, kOpenCv}},
+    {"body_center/service", {R"(^sqlite3\.h$)", kOpenCv}},
+    {"shop_catalog/service", {R"(^sqlite3\.h$)", kOpenCv}},
+    {"fit_client/fit",
+     {kGrpc, kOpenCv, kSqlite, R"(^(CLI|spdlog|nlohmann|GL|tbb|oneapi)/)", R"(^(chrono|thread)$)",
+      R"(^fit_client/(?!fit/))"}},
+    {"fit_client/render", {kGrpc, kSqlite}},
+    {"fit_client/report", {kGrpc, kSqlite}},
+};
+
+bool IsSource(const fs::path& path) { return path.extension() == ".h" || path.extension() == ".cc"; }
+
+std::vector<fs::path> SourcesBelow(const fs::path& folder) {
+  std::vector<fs::path> sources;
+  if (!fs::exists(folder)) return sources;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file() && IsSource(entry.path())) sources.push_back(entry.path());
+  }
+  std::sort(sources.begin(), sources.end());
+  return sources;
+}
+
+std::vector<std::string> IncludesOf(const fs::path& file) {
+  static const std::regex kInclude(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+  std::vector<std::string> includes;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) {
+    std::smatch match;
+    if (std::regex_search(line, match, kInclude)) includes.push_back(match[1]);
+  }
+  return includes;
+}
+
+TEST(HouseRules, NobodyIncludesWhatTheirRoomMustNotSee) {
+  const fs::path root = FITROOM_SOURCE_DIR;
+  for (const Rule& rule : kRules) {
+    for (const fs::path& file : SourcesBelow(root / rule.folder)) {
+      for (const std::string& include : IncludesOf(file)) {
+        for (const std::string& forbidden : rule.forbidden) {
+          EXPECT_FALSE(std::regex_search(include, std::regex(forbidden)))
+              << fs::relative(file, root) << " includes " << include << ", which " << rule.folder << " must not see";
+        }
+      }
+    }
+  }
+}
+
+TEST(HouseRules, HeadersStartWithPragmaOnce) {
+  const fs::path root = FITROOM_SOURCE_DIR;
+  for (const char* folder : {"common", "body_center", "shop_catalog", "fit_client", "tests"}) {
+    for (const fs::path& file : SourcesBelow(root / folder)) {
+      if (file.extension() != ".h") continue;
+      std::ifstream stream(file);
+      std::string first;
+      std::getline(stream, first);
+      EXPECT_EQ(first, "#pragma once") << fs::relative(file, root);
+    }
+  }
+}
+
+TEST(HouseRules, MainStaysUnderAHundredLines) {
+  const fs::path root = FITROOM_SOURCE_DIR;
+  for (const char* program : {"body_center", "shop_catalog", "fit_client"}) {
+    std::ifstream stream(root / program / "main.cc");
+    ASSERT_TRUE(stream) << program;
+    EXPECT_LT(std::count(std::istreambuf_iterator<char>(stream), {}, '\n'), 100) << program;
+  }
+}
+
+TEST(HouseRules, TheTopLevelHoldsNothingElse) {
+  const std::set<std::string> allowed = {
+      "CMakeLists.txt", "CMakePresets.json", "README.md",  "LICENSE", "proto",  "common",
+      "body_center",    "shop_catalog",      "fit_client", "tests",   "deploy", "build"};
+  for (const auto& entry : fs::directory_iterator(FITROOM_SOURCE_DIR)) {
+    const std::string name = entry.path().filename();
+    EXPECT_TRUE(name.front() == '.' || allowed.contains(name)) << name;
+  }
+}
+
+}  // namespace
+}  // namespace fitroom
