@@ -30,6 +30,11 @@ struct ClothMesh {
   std::vector<Eigen::Vector2d> texture_coordinates;  // Of the panel's photograph; (0,0) top left, (1,1) bottom right.
   std::vector<SeamPair> seams;
   std::vector<NamedParticle> named_particles;
+  // How much a particle belongs to a sleeve: 0 on the torso, 1 on the sleeve, smooth across the armhole line (shoulder
+  // tip to underarm) over about 6 cm. For turning the sleeves about the shoulder in the start position. One a particle;
+  // both empty where nobody knows, as in panels read from a file.
+  std::vector<double> left_sleeve_weights;
+  std::vector<double> right_sleeve_weights;
 };
 
 }  // namespace fitroom
