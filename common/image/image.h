@@ -21,4 +21,14 @@ struct Image {
   const uint8_t* at(int x, int y) const { return const_cast<Image*>(this)->at(x, y); }
 };
 
+// Returns a black (and, with 4 channels, transparent) image.
+Image MakeImage(int width, int height, int channels);
+
+// Says whether sides, channels and the number of bytes agree.
+bool IsValid(const Image& image);
+
+// Returns the image with 1, 3 or 4 channels: grey is Rec. 601 luma, a missing alpha is opaque, a surplus one is
+// dropped.
+Image ConvertChannels(const Image& image, int channels);
+
 }  // namespace fitroom
