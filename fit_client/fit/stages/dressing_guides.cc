@@ -145,8 +145,9 @@ Result<DressingGuides> FindDressingGuides(const Body& body, const FrontalMap& ma
   std::vector<Vector2d> over;
   const double neck_u = side * body.landmarks[side_neck].position.x();
   const double acromion_u = side * body.landmarks[acromion].position.x();
+  const double highest = body.landmarks[side_neck].position.y() + 0.005;
   for (double u = neck_u; u <= acromion_u; u += map.pitch()) {
-    if (const std::optional<double> top = map.ColumnTop(side * u)) over.emplace_back(u, *top + clearance);
+    if (const std::optional<double> top = map.ColumnTop(side * u, highest)) over.emplace_back(u, *top + clearance);
   }
   for (const ArmSample& sample : arm) {
     const double outer = DistanceToOutline(map, side, sample.centre, sample.outward, 0.10);

@@ -107,10 +107,11 @@ std::vector<FrontalMap::Run> FrontalMap::RowRuns(double y) const {
   return runs;
 }
 
-std::optional<double> FrontalMap::ColumnTop(double x) const {
+std::optional<double> FrontalMap::ColumnTop(double x, double highest) const {
   const int column = static_cast<int>(std::floor((x - origin_.x()) / pitch_));
   if (column < 0 || column >= columns_) return std::nullopt;
-  for (int row = rows_ - 1; row >= 0; --row) {
+  const int first_row = std::min(rows_ - 1, static_cast<int>(std::floor((highest - origin_.y()) / pitch_)));
+  for (int row = first_row; row >= 0; --row) {
     if (cell(column, row).filled) return origin_.y() + (row + 1.0) * pitch_;
   }
   return std::nullopt;

@@ -288,18 +288,24 @@ Result<StartPose> PlaceTop(const ClothMesh& cloth, const Body& body, const Trian
       half->AddAnchors(anchors);
     }
     FR_ASSIGN_OR_RETURN(const std::vector<Vector3d> places, ExtendHarmonically(cloth, panel, anchors));
+    std::vector<bool> sewn(cloth.rest_positions.size(), false);
+    for (const Anchor& anchor : anchors) sewn[static_cast<size_t>(anchor.particle)] = true;
     const double neck_y = std::max(left_guides.shoulder_line.At(0.0).y(), right_guides.shoulder_line.At(0.0).y());
     const double outward = panel == 0 ? 1.0 : -1.0;
     for (size_t i = 0; i < places.size(); ++i) {
       if (cloth.panel_of_particle[i] != panel) continue;
       const Vector3d& place = places[i];
       const HalfPlacement& half = place.x() >= 0.0 ? left : right;
+      pose.around[i] = place;
+      pose.apart[i] = place + Vector3d(0.0, 0.0, outward * options.apart);
+      if (sewn[i]) continue;  // Both panels' seams lie on one line, outside of the body's outline.
       double stand_off = half.Bulge(std::abs(place.x()), place.y(), neck_y);
       const std::optional<double> surface = panel == 0 ? map.FrontDepth(place.x(), place.y(), options.clearance)
                                                        : map.BackDepth(place.x(), place.y(), options.clearance);
       if (surface) stand_off = std::max(stand_off, outward * (*surface - place.z()) + options.clearance);
-      pose.around[i] = place + Vector3d(0.0, 0.0, outward * std::max(stand_off, 0.0));
-      pose.apart[i] = pose.around[i] + Vector3d(0.0, 0.0, outward * options.apart);
+      const Vector3d outwards(0.0, 0.0, outward * std::max(stand_off, 0.0));
+      pose.around[i] += outwards;
+      pose.apart[i] += outwards;
     }
   }
   return pose;

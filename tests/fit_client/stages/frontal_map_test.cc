@@ -65,8 +65,9 @@ TEST(FrontalMap, RowRunsAreTheChordsOfTheSpheresTheyCross) {
   EXPECT_NEAR(runs[0].end, -0.2, 0.004);
   EXPECT_NEAR(runs[1].end - runs[1].begin, 0.3, 0.006);
   EXPECT_EQ(map.RowRuns(1.12).size(), 1u);
-  EXPECT_NEAR(map.ColumnTop(0.3).value(), 1.15, 0.004);
-  EXPECT_FALSE(map.ColumnTop(0.0).has_value());
+  EXPECT_NEAR(map.ColumnTop(0.3, 2.0).value(), 1.15, 0.004);
+  EXPECT_NEAR(map.ColumnTop(0.3, 1.0).value(), 1.0, 0.004);
+  EXPECT_FALSE(map.ColumnTop(0.0, 2.0).has_value());
 }
 
 }  // namespace
