@@ -1,5 +1,6 @@
 #include "common/garment/garment.h"
 
+#include <algorithm>
 #include <array>
 
 namespace fitroom {
@@ -43,6 +44,12 @@ const std::vector<std::string> kTopNames = {"P1",
                                             "hem_centre",
                                             "neck_drop"};
 
+// The way round a front photograph, clockwise on the screen from the neck end on the image's left.
+const std::vector<std::string> kTopOrder = {
+    "P1",         "neck_drop",       "P2",    "e1",    "e2",         "e3",    "e4",    "sleeve_bottom_L",
+    "underarm_L", "waist_L",         "hip_L", "hem_L", "hem_centre", "hem_R", "hip_R", "waist_R",
+    "underarm_R", "sleeve_bottom_R", "e8",    "e7",    "e6",         "e5"};
+
 const std::vector<std::string> kNone = {};
 
 }  // namespace
@@ -64,6 +71,27 @@ const std::vector<std::string>& OutlinePointNames(GarmentKind kind) {
     default:
       return kNone;
   }
+}
+
+std::vector<std::string> OutlineOrder(GarmentKind kind, GarmentSide side) {
+  if (OutlinePointNames(kind).empty()) return {};
+  std::vector<std::string> order = kTopOrder;
+  if (side == GarmentSide::kBack) std::reverse(order.begin(), order.end());
+  return order;
+}
+
+std::string TwinPointName(std::string_view name) {
+  std::string twin(name);
+  if (name == "P1") return "P2";
+  if (name == "P2") return "P1";
+  if (name.size() == 2 && name[0] == 'e') {
+    twin[1] = static_cast<char>(name[1] <= '4' ? name[1] + 4 : name[1] - 4);
+  } else if (name.ends_with("_L")) {
+    twin.back() = 'R';
+  } else if (name.ends_with("_R")) {
+    twin.back() = 'L';
+  }
+  return twin;
 }
 
 const OutlinePoint* FindPoint(const GarmentView& view, std::string_view name) {

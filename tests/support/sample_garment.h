@@ -1,0 +1,11 @@
+#pragma once
+
+#include "common/garment/garment.h"
+
+namespace fitroom::testing {
+
+// A T-shirt of 68 cm drawn by hand in straight lines, front and back, 800 x 800 pixels at 1 mm a pixel: every point on
+// its outline, everything valid. The view is symmetric about x = 400; the back's neckline is shallower.
+Garment MakeSampleTShirt();
+
+}  // namespace fitroom::testing
