@@ -1,0 +1,56 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/base/status.h"
+#include "common/garment/garment.h"
+#include "common/garment/garment_folder.h"
+#include "common/garment/garment_json.h"
+
+namespace fitroom::shop_catalog {
+
+// Everything a shop states about a garment; views of bytes must outlive the call.
+struct ExtractionRequest {
+  std::string id;     // [a-z0-9-]{1,63}
+  std::string title;  // For people; may be empty.
+  GarmentKind kind = GarmentKind::kTShirt;
+  double length = 0.0;                          // From the highest shoulder point to the hem, flat (unit: metre).
+  std::string_view front_photo;                 // JPEG, PNG or WebP, as received.
+  std::string_view back_photo;                  // Empty: the garment has no back view.
+  const PointAnnotation* annotation = nullptr;  // Points given by hand, used instead of detected ones where present.
+  // Polled between the steps; true ends the extraction with CANCELLED. May be empty.
+  std::function<bool()> is_cancelled;
+};
+
+// How sure one view's mask and points are.
+struct ViewConfidence {
+  double mask = 0.0;          // 0 to 1: agreement between independent segmentations; 1 for an alpha channel.
+  double points = 0.0;        // 0 to 1: mean over the points.
+  std::string weakest_point;  // Its name, empty where all points were given by hand.
+  double weakest = 0.0;       // 0 to 1.
+  std::string mask_source;    // "alpha", "background", "grabcut", …: for people and logs.
+};
+
+// What the photographs gave: a valid garment and all the files that belong to its folder (photographs as received,
+// masks, textures, and the drawing "extraction.png").
+struct GarmentExtraction {
+  Garment garment;
+  std::vector<GarmentFile> files;
+  ViewConfidence front;
+  std::optional<ViewConfidence> back;
+};
+
+// Finds mask, outline, the 22 points, scale and measures of a top in its photographs. Thread-safe; one core; about
+// a second a pair, at most about 400 MB for the largest allowed photographs.
+//
+// Refuses with a reason and a remedy: what DecodeImage() says of each photograph; INVALID_ARGUMENT LENGTH_MISSING,
+// LENGTH_OUT_OF_RANGE (30 to 120 cm), IMAGE_TOO_SMALL, POINT_… and POINTS_SWAPPED for an annotation;
+// UNIMPLEMENTED KIND_NOT_SUPPORTED; FAILED_PRECONDITION NO_GARMENT_FOUND, GARMENT_CROPPED, WRONG_KIND, WORN_BY_PERSON,
+// VIEWS_DO_NOT_MATCH, LOW_CONFIDENCE; CANCELLED.
+Result<GarmentExtraction> ExtractGarment(const ExtractionRequest& request);
+
+}  // namespace fitroom::shop_catalog
