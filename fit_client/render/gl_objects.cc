@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
 #include "fit_client/render/image_scaling.h"
 
 namespace fitroom::render {
 namespace {
-
-constexpr int kSamples = 4;
 
 Status Failed(const std::string& message) { return Internal("RENDERER_FAILED", message); }
 
@@ -148,11 +145,10 @@ GlTexture::GlTexture(const Image& image, int max_side) {
 }
 
 void GlTarget::Release() {
-  const std::array<GLuint, 2> frames = {frame_, resolved_frame_};
-  const std::array<GLuint, 3> buffers = {colour_, depth_, resolved_colour_};
-  if (frame_ != 0) glDeleteFramebuffers(static_cast<GLsizei>(frames.size()), frames.data());
+  const std::array<GLuint, 2> buffers = {colour_, depth_};
+  if (frame_ != 0) glDeleteFramebuffers(1, &frame_);
   if (colour_ != 0) glDeleteRenderbuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
-  frame_ = colour_ = depth_ = resolved_frame_ = resolved_colour_ = 0;
+  frame_ = colour_ = depth_ = 0;
 }
 
 Status GlTarget::Begin(int width, int height) {
@@ -161,47 +157,43 @@ Status GlTarget::Begin(int width, int height) {
     width_ = width;
     height_ = height;
     glGenFramebuffers(1, &frame_);
-    glGenFramebuffers(1, &resolved_frame_);
     glGenRenderbuffers(1, &colour_);
     glGenRenderbuffers(1, &depth_);
-    glGenRenderbuffers(1, &resolved_colour_);
     glBindFramebuffer(GL_FRAMEBUFFER, frame_);
     glBindRenderbuffer(GL_RENDERBUFFER, colour_);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, GL_RGBA8, width, height);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, kSamplesAcross * width, kSamplesAcross * height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_);
     glBindRenderbuffer(GL_RENDERBUFFER, depth_);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, GL_DEPTH_COMPONENT32F, width, height);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, kSamplesAcross * width, kSamplesAcross * height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
     FR_RETURN_IF_ERROR(CheckGl("making the picture's buffers"));
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
       return ResourceExhausted("OUT_OF_MEMORY", "the renderer cannot make a picture of this size");
     }
-    glBindFramebuffer(GL_FRAMEBUFFER, resolved_frame_);
-    glBindRenderbuffer(GL_RENDERBUFFER, resolved_colour_);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, resolved_colour_);
   }
   glBindFramebuffer(GL_FRAMEBUFFER, frame_);
-  glViewport(0, 0, width, height);
+  glViewport(0, 0, kSamplesAcross * width, kSamplesAcross * height);
   return CheckGl("beginning a picture");
 }
 
-Image GlTarget::Read() {
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, frame_);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_frame_);
-  glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_frame_);
+Image GlTarget::Read() const {
+  static_assert(kSamplesAcross == 2, "the mean below is of four samples");
   const size_t width = static_cast<size_t>(width_);
   const size_t height = static_cast<size_t>(height_);
-  std::vector<uint8_t> pixels(width * height * 4);
+  const size_t row_size = width * 2 * 4;
+  std::vector<uint8_t> samples(row_size * height * 2);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  glReadPixels(0, 0, 2 * width_, 2 * height_, GL_RGBA, GL_UNSIGNED_BYTE, samples.data());
   Image image{width_, height_, 3, std::vector<uint8_t>(width * height * 3)};
   for (size_t y = 0; y < height; ++y) {
     // OpenGL's first row is the lowest.
-    const uint8_t* from = pixels.data() + (height - 1 - y) * width * 4;
+    const uint8_t* low = samples.data() + 2 * (height - 1 - y) * row_size;
+    const uint8_t* high = low + row_size;
     uint8_t* to = image.pixels.data() + y * width * 3;
-    for (size_t x = 0; x < width; ++x, from += 4, to += 3) std::memcpy(to, from, 3);
+    for (size_t x = 0; x < width; ++x, low += 8, high += 8, to += 3) {
+      for (size_t c = 0; c < 3; ++c)
+        to[c] = static_cast<uint8_t>((low[c] + low[c + 4] + high[c] + high[c + 4] + 2) / 4);
+    }
   }
   return image;
 }

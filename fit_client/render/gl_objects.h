@@ -94,7 +94,8 @@ class GlTexture {
   GLuint texture_ = 0;
 };
 
-// Where pictures are drawn: four samples a pixel, resolved when read.
+// Where pictures are drawn: at twice the width and height, averaged when read. (The renderer's own multisampling was
+// tried: its outlines stay jagged, and its shaders take longer to compile.)
 class GlTarget {
  public:
   GlTarget() = default;
@@ -102,17 +103,19 @@ class GlTarget {
   GlTarget& operator=(const GlTarget&) = delete;
   ~GlTarget() { Release(); }
 
-  // Makes the target this large and the current one. RESOURCE_EXHAUSTED where the renderer refuses.
+  static constexpr int kSamplesAcross = 2;  // A pixel, each way.
+
+  // Makes the target this large (unit: pixel of the picture) and the current one. RESOURCE_EXHAUSTED where the renderer
+  // refuses.
   Status Begin(int width, int height);
   // Returns what was drawn.
-  Image Read();
+  Image Read() const;
 
  private:
   void Release();
   int width_ = 0;
   int height_ = 0;
   GLuint frame_ = 0, colour_ = 0, depth_ = 0;
-  GLuint resolved_frame_ = 0, resolved_colour_ = 0;
 };
 
 }  // namespace fitroom::render

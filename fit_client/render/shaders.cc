@@ -2,14 +2,18 @@
 
 // Lights stand still beside the camera, as in a studio: a soft key from above left, a fill from the right, a rim from
 // behind, and the sky, which is cut off where `sky` (SkyVisibility) says so. All in the eye's frame.
-#define FITROOM_LIGHTS                                          \
-  "const vec3 kKey = vec3(-0.430, 0.602, 0.673);\n"             \
-  "const vec3 kFill = vec3(0.730, 0.183, 0.658);\n"             \
-  "const vec3 kRim = vec3(0.33, 0.42, -0.845);\n"               \
-  "float Wrapped(vec3 n, vec3 light, float wrap) {\n"           \
-  "  return max(0.0, (dot(n, light) + wrap) / (1.0 + wrap));\n" \
-  "}\n"                                                         \
-  "float Sky(vec3 n) { return 0.5 + 0.5 * n.y; }\n"
+#define FITROOM_LIGHTS                                              \
+  "const vec3 kKey = vec3(-0.430, 0.602, 0.673);\n"                 \
+  "const vec3 kFill = vec3(0.730, 0.183, 0.658);\n"                 \
+  "const vec3 kRim = vec3(0.33, 0.42, -0.845);\n"                   \
+  "float Wrapped(vec3 n, vec3 light, float wrap) {\n"               \
+  "  return max(0.0, (dot(n, light) + wrap) / (1.0 + wrap));\n"     \
+  "}\n"                                                             \
+  "float Sky(vec3 n) { return 0.5 + 0.5 * n.y; }\n"                 \
+  "float Soften(float light) {\n"                                   \
+  "  float over = max(0.0, light - 0.80);\n"                        \
+  "  return min(light, 0.80) + 0.22 * (1.0 - exp(-over / 0.22));\n" \
+  "}\n"
 
 namespace fitroom::render::shaders {
 
@@ -106,7 +110,8 @@ void main() {
 }
 )";
 
-// A surface that faces the camera in the open is lit by 1: the photograph keeps its colours. It already holds the
+// A surface that faces the camera in the open is lit by nearly 1, and nothing by much more (Soften): the photograph
+// keeps its colours. It already holds the
 // light of the shop's own studio, so ours only bends it: folds, shoulders and sides.
 const char kClothFragment[] = "#version 330 core\n" FITROOM_LIGHTS R"(
 in vec3 eye_normal;
@@ -129,7 +134,7 @@ void main() {
   float light = 0.42 * Sky(n) * mix(0.35, 1.0, sky) + 0.60 * Wrapped(n, kKey, 0.25) * shade +
                 0.24 * Wrapped(n, kFill, 0.35) * shade + 0.05;
   float rim = 0.10 * max(0.0, dot(n, kRim)) * shade;
-  vec3 lit = albedo * light + rim * (0.25 + 0.75 * albedo);
+  vec3 lit = albedo * Soften(light) + rim * (0.25 + 0.75 * albedo);
   if (!gl_FrontFacing) lit *= 0.55;
   colour = vec4(sqrt(lit), opacity);
 }
