@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/garment/garment.h"
+#include "fit_client/fit/panels/pattern.h"
+
+namespace fitroom::panels {
+
+// One section of a kind's outline: which points it runs through, and which section mirrors it.
+struct SectionLayout {
+  std::string name;
+  SectionKind kind = SectionKind::kSeam;
+  std::vector<std::string> knots;  // First and last are corners of the outline.
+  int mirror = 0;                  // Index of the section on the other side; its own for neck and hem.
+  int degree = 1;                  // Of the smooth curve that replaces the crumpled outline.
+  // The section is its own on each panel (neck, hem) instead of shared by both.
+  bool own_per_panel = false;
+};
+
+// Returns the outline of a kind, counter-clockwise in the wearer's frame (x towards the wearer's left, y up), which is
+// the order in which the sections are joined. Empty for kinds that cannot be cut yet.
+const std::vector<SectionLayout>& OutlineLayout(GarmentKind kind);
+
+}  // namespace fitroom::panels

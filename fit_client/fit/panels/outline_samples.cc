@@ -1,0 +1,67 @@
+#include "fit_client/fit/panels/outline_samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "fit_client/fit/panels/polyline.h"
+
+namespace fitroom::panels {
+namespace {
+
+// A knot nearer to its neighbour than this is not sampled (unit: pitch).
+constexpr double kLeastSpan = 0.75;
+
+// The arc lengths of the samples of one section, from 0 to its length.
+std::vector<double> SampleArcs(const OutlineSection& section, const std::vector<double>& arcs, double pitch) {
+  const double end = arcs.back();
+  std::vector<double> stops = {0.0};
+  for (const SectionKnot& knot : section.knots) {
+    const double arc = arcs[static_cast<size_t>(knot.index)];
+    if (arc - stops.back() >= kLeastSpan * pitch && end - arc >= kLeastSpan * pitch) stops.push_back(arc);
+  }
+  stops.push_back(end);
+  std::vector<double> samples = {0.0};
+  for (size_t i = 1; i < stops.size(); ++i) {
+    const double span = stops[i] - stops[i - 1];
+    const int count = std::max(1, static_cast<int>(std::lround(span / pitch)));
+    for (int k = 1; k < count; ++k) samples.push_back(stops[i - 1] + span * k / count);
+    samples.push_back(stops[i]);
+  }
+  return samples;
+}
+
+}  // namespace
+
+OutlineSamples SampleOutline(const PanelPattern& panel, double pitch) {
+  OutlineSamples outline;
+  for (const OutlineSection& section : panel.sections) {
+    const std::vector<double> arcs = CumulativeLengths(section.points);
+    const std::vector<double> samples = SampleArcs(section, arcs, pitch);
+    const int first = static_cast<int>(outline.points.size());
+    std::vector<int> indices;
+    for (size_t i = 0; i + 1 < samples.size(); ++i) {
+      indices.push_back(first + static_cast<int>(i));
+      outline.points.push_back(InterpolateChain(section.points, arcs, samples[i]));
+      outline.pixels.push_back(InterpolateChain(section.pixels, arcs, samples[i]));
+    }
+    indices.push_back(first + static_cast<int>(samples.size()) - 1);  // The next section's first.
+    for (const SectionKnot& knot : section.knots) {
+      const bool seen = std::any_of(outline.named.begin(), outline.named.end(),
+                                    [&](const OutlineSamples::Named& named) { return named.name == knot.name; });
+      if (seen) continue;
+      const double arc = arcs[static_cast<size_t>(knot.index)];
+      const auto nearer = [&](double a, double b) { return std::abs(a - arc) < std::abs(b - arc); };
+      const auto nearest = std::min_element(samples.begin(), samples.end(), nearer) - samples.begin();
+      outline.named.push_back({knot.name, indices[static_cast<size_t>(nearest)]});
+    }
+    outline.samples_of_section.push_back(std::move(indices));
+  }
+  // The last section ends where the first began.
+  const int count = static_cast<int>(outline.points.size());
+  for (int& sample : outline.samples_of_section.back()) sample %= count;
+  for (OutlineSamples::Named& named : outline.named) named.sample %= count;
+  return outline;
+}
+
+}  // namespace fitroom::panels

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "fit_client/fit/panels/pattern.h"
+
+namespace fitroom::panels {
+
+// A panel's outline sampled about every pitch, counter-clockwise, corners once.
+struct OutlineSamples {
+  std::vector<Eigen::Vector2d> points;  // (unit: metre)
+  std::vector<Eigen::Vector2d> pixels;
+  std::vector<std::vector<int>> samples_of_section;  // Per section, from corner to corner.
+  struct Named {
+    std::string name;
+    int sample = 0;
+  };
+  std::vector<Named> named;  // Each named point once.
+};
+
+// Samples all sections. Corners are samples exactly; so are the other knots that lie at least 0.75 pitches from their
+// neighbours. The number of samples depends on the section's points alone, so that equal seams are sampled equally.
+OutlineSamples SampleOutline(const PanelPattern& panel, double pitch);
+
+}  // namespace fitroom::panels

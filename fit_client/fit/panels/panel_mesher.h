@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "common/base/status.h"
+
+namespace fitroom::panels {
+
+// A triangulated panel. The outline's samples come first, as given; then the points inside.
+struct PanelMesh {
+  std::vector<Eigen::Vector2d> points;     // (unit: metre)
+  std::vector<Eigen::Vector3i> triangles;  // Counter-clockwise.
+};
+
+// Fills a counter-clockwise outline, sampled about every `pitch`, with triangles of about that size: an equilateral
+// lattice that mirrors itself at x = 0, joined to the outline by a constrained Delaunay triangulation and smoothed
+// where the two meet. Fails as TriangulatePolygon().
+Result<PanelMesh> MeshPanel(std::span<const Eigen::Vector2d> outline, double pitch);
+
+}  // namespace fitroom::panels

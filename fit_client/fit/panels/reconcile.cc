@@ -1,0 +1,200 @@
+#include "fit_client/fit/panels/reconcile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "fit_client/fit/panels/measure.h"
+#include "fit_client/fit/panels/outline_layout.h"
+#include "fit_client/fit/panels/polyline.h"
+#include "fit_client/fit/panels/sleeve_lengths.h"
+#include "fit_client/fit/panels/view_outline.h"
+#include "fit_client/fit/panels/view_samples.h"
+
+namespace fitroom {
+namespace {
+
+using panels::KnotIndices;
+using panels::Polyline;
+using panels::SectionLayout;
+using panels::ViewOutline;
+using panels::ViewSamples;
+
+// Largest disagreement between a view's scale and the length that tilt and hem explain.
+constexpr double kMaxScaleError = 0.15;
+// A length of one side that differs from the other's by this share in both photographs, in the same direction, is
+// meant.
+constexpr double kAsymmetry = 0.15;
+// The back neck of a garment shown from the front only (share of the front's depth; at most, unit: metre).
+constexpr double kShallowNeckShare = 0.3;
+constexpr double kShallowNeckMax = 0.025;
+
+// The front's photograph as if it showed the back: the wearer's left and right change places.
+GarmentView AsBack(const GarmentView& front) {
+  GarmentView back = front;
+  back.side = GarmentSide::kBack;
+  for (OutlinePoint& point : back.points) point.name = TwinPointName(point.name);
+  return back;
+}
+
+Polyline Mean(const Polyline& a, const Polyline& b) {
+  Polyline mean(a.size());
+  for (size_t i = 0; i < a.size(); ++i) mean[i] = 0.5 * (a[i] + b[i]);
+  return mean;
+}
+
+// Says whether some length of the left side differs from the right's by more than `kAsymmetry` in every view alike.
+// Lengths along the outline do not change when a sleeve is laid at another angle; positions do.
+bool IsAsymmetric(const std::vector<SectionLayout>& layout, const std::vector<const ViewSamples*>& views) {
+  for (size_t s = 0; s < layout.size(); ++s) {
+    const size_t mirror = static_cast<size_t>(layout[s].mirror);
+    if (mirror <= s) continue;
+    bool all_longer = true, all_shorter = true;
+    for (const ViewSamples* view : views) {
+      const double own = panels::ChainLength(view->points[s]);
+      const double other = panels::ChainLength(view->points[mirror]);
+      const double difference = (own - other) / (0.5 * (own + other));
+      all_longer = all_longer && difference > kAsymmetry;
+      all_shorter = all_shorter && difference < -kAsymmetry;
+    }
+    if (all_longer || all_shorter) return true;
+  }
+  return false;
+}
+
+// The seams and sleeve ends of the one garment; left and right averaged unless `asymmetric`.
+std::vector<Polyline> AverageShared(const std::vector<SectionLayout>& layout, const ViewSamples& front,
+                                    const ViewSamples& back, bool asymmetric) {
+  std::vector<Polyline> shared(layout.size());
+  for (size_t s = 0; s < layout.size(); ++s) {
+    if (!layout[s].own_per_panel) shared[s] = Mean(front.points[s], back.points[s]);
+  }
+  if (asymmetric) return shared;
+  for (size_t s = 0; s < layout.size(); ++s) {
+    const size_t mirror = static_cast<size_t>(layout[s].mirror);
+    if (mirror <= s || layout[s].own_per_panel) continue;
+    shared[s] = Mean(shared[s], panels::Mirrored(shared[mirror]));
+    shared[mirror] = panels::Mirrored(shared[s]);
+  }
+  return shared;
+}
+
+void Smooth(const SectionLayout& section, Polyline& points) {
+  const std::vector<double> arcs = panels::CumulativeLengths(points);
+  if (arcs.back() <= 0.0) return;
+  std::vector<double> parameters(arcs);
+  for (double& t : parameters) t /= arcs.back();
+  points = panels::FitBezier(points, parameters, section.degree);
+}
+
+// A view's own section (neck, hem) between the corners that the shared sections gave it.
+Polyline OwnSection(const SectionLayout& section, const Polyline& seen, const Eigen::Vector2d& first,
+                    const Eigen::Vector2d& last, bool asymmetric) {
+  Polyline points = asymmetric ? seen : Mean(seen, panels::Mirrored(seen));
+  panels::MoveEnds(points, first, last);
+  Smooth(section, points);
+  return asymmetric ? points : Mean(points, panels::Mirrored(points));
+}
+
+// Makes a neck shallow: half an ellipse between its ends.
+void MakeShallow(Polyline& neck, int drop_index) {
+  const Eigen::Vector2d middle = 0.5 * (neck.front() + neck.back());
+  const Eigen::Vector2d half = neck.front() - middle;
+  const double depth = middle.y() - neck[static_cast<size_t>(drop_index)].y();
+  const Eigen::Vector2d drop(0.0, -std::min(kShallowNeckShare * depth, kShallowNeckMax));
+  const double count = static_cast<double>(neck.size() - 1);
+  for (size_t i = 1; i + 1 < neck.size(); ++i) {
+    const double angle = std::numbers::pi * static_cast<double>(i) / count;
+    neck[i] = middle + std::cos(angle) * half + std::sin(angle) * drop;
+  }
+}
+
+PanelPattern MakePanel(const std::vector<SectionLayout>& layout, const KnotIndices& knots, const ViewOutline& view,
+                       const ViewSamples& samples, const std::vector<Polyline>& sections) {
+  PanelPattern panel{view.side, view.image_width, view.image_height, {}};
+  for (size_t s = 0; s < layout.size(); ++s) {
+    OutlineSection section{layout[s].name, layout[s].kind, sections[s], samples.pixels[s], {}};
+    for (size_t k = 0; k < layout[s].knots.size(); ++k) {
+      section.knots.push_back({layout[s].knots[k], knots[s][k]});
+    }
+    panel.sections.push_back(std::move(section));
+  }
+  return panel;
+}
+
+// Moves Cp to the origin and scales the whole to the garment's length.
+Status Normalise(double length, GarmentPattern& pattern) {
+  const double drawn_length = 0.5 * (MeasureLength(pattern.front) + MeasureLength(pattern.back));
+  const double scale = length / drawn_length;
+  if (!(std::abs(scale - 1.0) < kMaxScaleError)) {
+    return InvalidArgument("SCALE_CONTRADICTS_LENGTH",
+                           "the photographs' scale makes the garment " + std::to_string(drawn_length * 100.0) +
+                               " cm long, but its length is given as " + std::to_string(length * 100.0) +
+                               " cm; check the length and the points on hem and shoulders");
+  }
+  const Eigen::Vector2d cp = 0.5 * (*FindPatternPoint(pattern.front, "P1") + *FindPatternPoint(pattern.front, "P2"));
+  for (PanelPattern* panel : {&pattern.front, &pattern.back}) {
+    for (OutlineSection& section : panel->sections) {
+      for (Eigen::Vector2d& p : section.points) p = scale * (p - cp);
+    }
+  }
+  return Status();
+}
+
+}  // namespace
+
+Result<GarmentPattern> ReconcileViews(const Garment& garment) {
+  const std::vector<SectionLayout>& layout = panels::OutlineLayout(garment.kind);
+  if (layout.empty()) {
+    return InvalidArgument("KIND_NOT_SUPPORTED", "a " + std::string(GarmentKindName(garment.kind)) +
+                                                     " cannot be cut from photographs yet; use a T-shirt");
+  }
+  FR_ASSIGN_OR_RETURN(const ViewOutline front_outline,
+                      panels::SplitOutline(garment.front, garment.kind, garment.length));
+  FR_ASSIGN_OR_RETURN(
+      const ViewOutline back_outline,
+      panels::SplitOutline(garment.back ? *garment.back : AsBack(garment.front), garment.kind, garment.length));
+  const KnotIndices knots = panels::ChooseKnotIndices(layout, {&front_outline, &back_outline});
+  const ViewSamples front = panels::SampleUpright(layout, knots, front_outline, garment.length);
+  const ViewSamples back = panels::SampleUpright(layout, knots, back_outline, garment.length);
+
+  GarmentPattern pattern;
+  pattern.kind = garment.kind;
+  pattern.asymmetric_by_design = IsAsymmetric(layout, {&front, &back});
+  const bool asymmetric = pattern.asymmetric_by_design;
+  std::vector<Polyline> shared = AverageShared(layout, front, back, asymmetric);
+  panels::KeepSleeveLengths(layout, knots, {&front, &back}, asymmetric, shared);
+  for (size_t s = 0; s < layout.size(); ++s) {
+    if (layout[s].own_per_panel) continue;
+    Smooth(layout[s], shared[s]);
+    const size_t mirror = static_cast<size_t>(layout[s].mirror);
+    if (!asymmetric && mirror < s) shared[s] = panels::Mirrored(shared[mirror]);
+  }
+
+  for (auto [samples, outline, panel] :
+       {std::tuple(&front, &front_outline, &pattern.front), std::tuple(&back, &back_outline, &pattern.back)}) {
+    std::vector<Polyline> sections = shared;
+    for (size_t s = 0; s < layout.size(); ++s) {
+      if (!layout[s].own_per_panel) continue;
+      const Eigen::Vector2d& first = shared[(s + layout.size() - 1) % layout.size()].back();
+      const Eigen::Vector2d& last = shared[(s + 1) % layout.size()].front();
+      sections[s] = OwnSection(layout[s], samples->points[s], first, last, asymmetric);
+      if (s == 0 && samples == &back && !garment.back) MakeShallow(sections[s], knots[s][1]);
+    }
+    *panel = MakePanel(layout, knots, *outline, *samples, sections);
+  }
+  FR_RETURN_IF_ERROR(Normalise(garment.length, pattern));
+  for (const PanelPattern* panel : {&pattern.front, &pattern.back}) {
+    const std::vector<Eigen::Vector2d> outline = JoinedPoints(*panel);
+    if (panels::SignedArea(outline) <= 0.0 || !panels::IsSimplePolygon(outline)) {
+      return InvalidArgument("OUTLINE_NOT_A_GARMENT",
+                             "the outline of the garment crosses itself; check the points of both photographs");
+    }
+  }
+  return pattern;
+}
+
+}  // namespace fitroom

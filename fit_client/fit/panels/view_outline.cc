@@ -1,0 +1,215 @@
+#include "fit_client/fit/panels/view_outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <string>
+
+#include "fit_client/fit/panels/outline_layout.h"
+
+namespace fitroom::panels {
+namespace {
+
+constexpr size_t kMaxOutlinePoints = 1'000'000;
+// How far a point may lie from the outline and be moved onto it, and how far inside it the neck drop may lie and still
+// count as on it (share of the garment's length).
+constexpr double kMaxPointOffset = 0.04;
+constexpr double kNeckOnOutline = 0.012;
+// How far two neighbouring points may stand in the wrong order and be taken as one place (share of the length): a hand
+// that clicks P2 and e1 does that.
+constexpr double kOrderSlack = 0.02;
+// Standard deviation of the smoothing that removes the stairs of a mask (unit: pixel); small enough to stay within the
+// two pixels by which a texture reaches beyond its outline.
+constexpr double kJitterSigma = 1.2;
+// The same for crumples, when arc length is measured (share of the garment's length).
+constexpr double kCrumpleSigma = 0.02;
+
+struct OutlinePosition {
+  double arc = 0.0;  // From the outline's first point (unit: pixel).
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+// A closed outline with its arc length, counter-clockwise in the wearer's frame.
+struct ClosedOutline {
+  Polyline closed;  // The first point repeated at the end.
+  std::vector<double> arcs;
+  double perimeter() const { return arcs.back(); }
+};
+
+const char* SideName(GarmentSide side) { return side == GarmentSide::kFront ? "front" : "back"; }
+
+Status CheckView(const GarmentView& view, double length) {
+  const std::string place = SideName(view.side);
+  if (view.outline.size() < 16 || view.outline.size() > kMaxOutlinePoints) {
+    return InvalidArgument("BAD_OUTLINE", place + " view: the outline has " + std::to_string(view.outline.size()) +
+                                              " points; extract the garment again");
+  }
+  for (const Eigen::Vector2d& p : view.outline) {
+    if (!p.allFinite() || p.cwiseAbs().maxCoeff() > 1e6) {
+      return InvalidArgument("BAD_OUTLINE", place + " view: the outline has a point that is not in any image");
+    }
+  }
+  if (view.image_width <= 0 || view.image_height <= 0) {
+    return InvalidArgument("BAD_OUTLINE", place + " view: the size of the photograph is not stated");
+  }
+  if (!(view.metre_per_pixel > 1e-6 && view.metre_per_pixel < 0.1)) {
+    return InvalidArgument("BAD_SCALE", place + " view: metre_per_pixel is missing or absurd; give the length");
+  }
+  if (!(length > 0.2 && length < 2.0)) {
+    return InvalidArgument("BAD_SCALE", "the garment's length must lie between 0.2 and 2 m");
+  }
+  return Status();
+}
+
+ClosedOutline CloseOutline(const GarmentView& view) {
+  ClosedOutline outline;
+  for (const Eigen::Vector2d& p : view.outline) {
+    if (outline.closed.empty() || (p - outline.closed.back()).norm() > 1e-9) outline.closed.push_back(p);
+  }
+  // Turning the y axis over makes clockwise on the screen counter-clockwise; the back is mirrored once more.
+  const bool screen_clockwise = SignedArea(outline.closed) > 0.0;
+  if (screen_clockwise == (view.side == GarmentSide::kFront)) {
+    std::reverse(outline.closed.begin(), outline.closed.end());
+  }
+  outline.closed.push_back(outline.closed.front());
+  outline.arcs = CumulativeLengths(outline.closed);
+  return outline;
+}
+
+OutlinePosition NearestPosition(const ClosedOutline& outline, const Eigen::Vector2d& point) {
+  OutlinePosition best;
+  for (size_t i = 1; i < outline.closed.size(); ++i) {
+    const Eigen::Vector2d along = outline.closed[i] - outline.closed[i - 1];
+    const double squared = along.squaredNorm();
+    const double t = squared > 0.0 ? std::clamp((point - outline.closed[i - 1]).dot(along) / squared, 0.0, 1.0) : 0.0;
+    const double distance = (point - outline.closed[i - 1] - t * along).norm();
+    if (distance < best.distance) best = {outline.arcs[i - 1] + t * std::sqrt(squared), distance};
+  }
+  return best;
+}
+
+// The part of the outline between two arcs; `to` may lie beyond the perimeter.
+Polyline CutChain(const ClosedOutline& outline, double from, double to) {
+  const double perimeter = outline.perimeter();
+  const auto at = [&](double arc) { return InterpolateChain(outline.closed, outline.arcs, std::fmod(arc, perimeter)); };
+  Polyline chain = {at(from)};
+  for (double lap : {0.0, perimeter}) {
+    for (size_t i = 0; i + 1 < outline.closed.size(); ++i) {
+      const double arc = outline.arcs[i] + lap;
+      if (arc > from + 1e-9 && arc < to - 1e-9) chain.push_back(outline.closed[i]);
+    }
+  }
+  chain.push_back(at(to));
+  return chain;
+}
+
+// Half an ellipse from the neck's one end through the drop to its other end, cut at the drop.
+std::vector<Polyline> NeckEllipse(const Eigen::Vector2d& from, const Eigen::Vector2d& drop, const Eigen::Vector2d& to) {
+  constexpr int kSteps = 24;
+  const Eigen::Vector2d middle = 0.5 * (from + to);
+  std::vector<Polyline> halves(2);
+  for (int half = 0; half < 2; ++half) {
+    for (int i = 0; i <= kSteps; ++i) {
+      const double angle = 0.5 * std::numbers::pi * (half + static_cast<double>(i) / kSteps);
+      const Eigen::Vector2d point = middle + std::cos(angle) * (from - middle) + std::sin(angle) * (drop - middle);
+      halves[static_cast<size_t>(half)].push_back(point);
+    }
+  }
+  halves[0].front() = from;
+  halves[0].back() = halves[1].front() = drop;
+  halves[1].back() = to;
+  return halves;
+}
+
+Status OutOfOrder(const GarmentView& view, const std::string& before, const std::string& after) {
+  return InvalidArgument("POINTS_OUT_OF_ORDER",
+                         std::string(SideName(view.side)) + " view: " + after + " does not follow " + before +
+                             " on the outline; move it, or swap left and right (they are the wearer's)");
+}
+
+}  // namespace
+
+Result<ViewOutline> SplitOutline(const GarmentView& view, GarmentKind kind, double length) {
+  FR_RETURN_IF_ERROR(CheckView(view, length));
+  const ClosedOutline outline = CloseOutline(view);
+  const double length_in_pixels = length / view.metre_per_pixel;
+  const std::vector<SectionLayout>& layout = OutlineLayout(kind);
+
+  std::map<std::string, OutlinePosition> positions;
+  for (const SectionLayout& section : layout) {
+    for (const std::string& name : section.knots) {
+      const OutlinePoint* point = FindPoint(view, name);
+      if (point == nullptr || !point->pixel.allFinite()) {
+        return InvalidArgument("POINT_MISSING", std::string(SideName(view.side)) + " view: point " + name +
+                                                    " is missing; give it in an annotation");
+      }
+      positions[name] = NearestPosition(outline, point->pixel);
+      if (name != "neck_drop" && positions[name].distance > kMaxPointOffset * length_in_pixels) {
+        return InvalidArgument("POINT_OFF_OUTLINE", std::string(SideName(view.side)) + " view: point " + name +
+                                                        " lies off the outline; move it onto the garment's edge");
+      }
+    }
+  }
+  const bool neck_inside = positions["neck_drop"].distance > kNeckOnOutline * length_in_pixels;
+
+  ViewOutline split{view.side, view.image_width, view.image_height, view.metre_per_pixel, {}};
+  const double perimeter = outline.perimeter();
+  const double start = positions[layout[0].knots[0]].arc;
+  double arc = start;  // Grows monotonically from the first corner round to it again.
+  for (size_t s = 0; s < layout.size(); ++s) {
+    const std::vector<std::string>& knots = layout[s].knots;
+    std::vector<Polyline> chains;
+    const bool bridged = s == 0 && neck_inside;
+    const double section_start = arc;
+    for (size_t k = bridged ? knots.size() - 1 : 1; k < knots.size(); ++k) {
+      const std::string& before = knots[bridged ? 0 : k - 1];
+      double next = positions[knots[k]].arc;
+      while (next < arc - kOrderSlack * length_in_pixels) next += perimeter;
+      next = std::max(next, arc);
+      const bool last = s + 1 == layout.size() && k + 1 == knots.size();
+      if (last) next = start + perimeter;
+      if (next < arc || next > start + perimeter + 1e-9) return OutOfOrder(view, before, knots[k]);
+      chains.push_back(CutChain(outline, arc, next));
+      arc = next;
+    }
+    if (bridged) {
+      const Polyline back_edge = CutChain(outline, section_start, arc);
+      chains = NeckEllipse(back_edge.front(), FindPoint(view, "neck_drop")->pixel, back_edge.back());
+    }
+    split.chains.push_back(std::move(chains));
+  }
+  return split;
+}
+
+Polyline SampleChain(const Polyline& chain, int count, double length_in_pixels) {
+  const double length = ChainLength(chain);
+  if (count == 0 || length <= 0.0) return Polyline(static_cast<size_t>(count) + 1, chain.front());
+  const int fine_count = std::clamp(static_cast<int>(std::ceil(length / (0.5 * kJitterSigma))), 2 * count, 20'000);
+  const double step = length / fine_count;
+  const Polyline fine = ResampleChain(chain, fine_count);
+  const Polyline smooth = SmoothSamples(fine, kJitterSigma / step);
+  // The wide Gaussian runs on fewer samples; its arc length is then interpolated.
+  const int coarse_count = std::max(8, static_cast<int>(std::ceil(length / (0.2 * kCrumpleSigma * length_in_pixels))));
+  const Polyline coarse = ResampleChain(chain, coarse_count);
+  const Polyline uncrumpled = SmoothSamples(coarse, kCrumpleSigma * length_in_pixels * coarse_count / length);
+  const std::vector<double> arcs = CumulativeLengths(uncrumpled);
+  Polyline samples;
+  for (int i = 0; i <= count; ++i) {
+    const double wanted = arcs.back() * i / count;
+    const auto upper = std::upper_bound(arcs.begin() + 1, arcs.end() - 1, wanted);
+    const size_t next = static_cast<size_t>(upper - arcs.begin());
+    const double span = arcs[next] - arcs[next - 1];
+    const double inside = span > 0.0 ? std::clamp((wanted - arcs[next - 1]) / span, 0.0, 1.0) : 0.0;
+    const double place = (static_cast<double>(next - 1) + inside) / coarse_count * fine_count;
+    const size_t cell = std::min(static_cast<size_t>(place), static_cast<size_t>(fine_count - 1));
+    const double fraction = place - static_cast<double>(cell);
+    samples.push_back((1.0 - fraction) * smooth[cell] + fraction * smooth[cell + 1]);
+  }
+  samples.front() = chain.front();
+  samples.back() = chain.back();
+  return samples;
+}
+
+}  // namespace fitroom::panels
