@@ -25,9 +25,10 @@ Status TooLarge(std::string_view what) {
   return ResourceExhausted("ZSTD_TOO_LARGE", "the zstd frame unpacks to more than is accepted: " + std::string(what));
 }
 
-// Returns how many bytes the frame may unpack to.
-size_t SizeLimit(std::string_view bytes, const ZstdLimits& limits) {
-  const double by_ratio = limits.max_ratio * static_cast<double>(bytes.size());
+// Returns how many bytes may have been unpacked after `consumed` packed ones. A small frame may unpack to 1 MiB at any
+// ratio.
+size_t SizeLimit(size_t consumed, const ZstdLimits& limits) {
+  const double by_ratio = std::max(limits.max_ratio * static_cast<double>(consumed), 1048576.0);
   return by_ratio >= static_cast<double>(limits.max_size) ? limits.max_size : static_cast<size_t>(by_ratio);
 }
 
@@ -50,32 +51,37 @@ std::string ZstdCompress(std::string_view bytes, int level) {
 
 Result<std::string> ZstdDecompress(std::string_view bytes, const ZstdLimits& limits) {
   if (!IsZstd(bytes)) return InvalidArgument("ZSTD_DAMAGED", "not a zstd frame");
-  const size_t limit = SizeLimit(bytes, limits);
   const unsigned long long declared = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
   if (declared == ZSTD_CONTENTSIZE_ERROR) return Damaged("its header cannot be read");
   const bool is_declared = declared != ZSTD_CONTENTSIZE_UNKNOWN;
-  if (is_declared && declared > limit) {
-    return TooLarge(std::to_string(declared) + " bytes are declared, " + std::to_string(limit) + " are the limit");
+  if (is_declared && declared > limits.max_size) {
+    return TooLarge(std::to_string(declared) + " bytes are declared, " + std::to_string(limits.max_size) +
+                    " are the limit");
   }
 
   const std::unique_ptr<ZSTD_DCtx, FreeDecompressor> context(ZSTD_createDCtx());
   FR_CHECK(context != nullptr);
   ZSTD_DCtx_setParameter(context.get(), ZSTD_d_windowLogMax, limits.max_window_log);
+  const size_t most = is_declared ? static_cast<size_t>(declared) : limits.max_size;
   std::string unpacked;
   ZSTD_inBuffer in{bytes.data(), bytes.size(), 0};
   for (;;) {
-    // A declared size is allocated in steps too, so that a lie costs no more than what really unpacks, doubled.
-    const size_t most = is_declared ? static_cast<size_t>(declared) : limit;
+    // A declared size is allocated in steps too, so that a lie costs no more than twice what really unpacks.
     const size_t filled = unpacked.size();
-    const size_t room = std::min(most - filled, std::max<size_t>(filled, size_t{4} << 20));
+    const size_t room = std::min(most - filled, std::max<size_t>(filled, size_t{1} << 20));
     unpacked.resize(filled + room);
     ZSTD_outBuffer out{unpacked.data() + filled, room, 0};
     const size_t pending = ZSTD_decompressStream(context.get(), &out, &in);
     if (ZSTD_isError(pending)) return Damaged(ZSTD_getErrorName(pending));
     unpacked.resize(filled + out.pos);
+    if (unpacked.size() > SizeLimit(in.pos, limits)) {
+      return TooLarge("more than " + std::to_string(SizeLimit(in.pos, limits)) + " bytes from " +
+                      std::to_string(in.pos));
+    }
     if (pending == 0) break;
-    if (out.pos == out.size && unpacked.size() == most) {
-      return is_declared ? Damaged("it holds more than it declares") : TooLarge(std::to_string(limit) + " bytes");
+    if (unpacked.size() == most && out.pos == 0) {
+      return is_declared ? Damaged("it holds more than it declares")
+                         : TooLarge("more than " + std::to_string(limits.max_size) + " bytes");
     }
     if (in.pos == in.size && out.pos < out.size) return Damaged("it ends too early");
   }

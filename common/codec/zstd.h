@@ -11,7 +11,7 @@ namespace fitroom {
 // What an unpacker believes at most. A frame's own header is checked against these before anything is allocated.
 struct ZstdLimits {
   size_t max_size = size_t{512} << 20;  // Unpacked (unit: byte).
-  double max_ratio = 200.0;             // Unpacked by packed size; an ASE scan at the highest level stays below 30.
+  double max_ratio = 200.0;             // Unpacked by packed size, above 1 MiB; an ASE scan stays below 30.
   int max_window_log = 27;              // Base-2 logarithm of the window (unit: byte); 27 is what `zstd --long` writes.
 };
 
