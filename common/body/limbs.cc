@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "common/body/landmark_search.h"
+#include "common/body/outline_profile.h"
+
+namespace fitroom {
+namespace {
+
+// The middles of an arm's or leg's outlines, from its root to its end.
+struct Centreline {
+  std::vector<Eigen::Vector3d> points;
+  std::vector<double> lengths;  // Along the line from its first point.
+
+  void Add(const Eigen::Vector3d& p) {
+    lengths.push_back(points.empty() ? 0.0 : lengths.back() + (p - points.back()).norm());
+    points.push_back(p);
+  }
+  double length() const { return lengths.empty() ? 0.0 : lengths.back(); }
+  Eigen::Vector3d At(double along) const {
+    const auto above = std::lower_bound(lengths.begin(), lengths.end(), along);
+    if (above == lengths.begin()) return points.front();
+    if (above == lengths.end()) return points.back();
+    const auto i = static_cast<size_t>(above - lengths.begin());
+    const double part = (along - lengths[i - 1]) / (lengths[i] - lengths[i - 1]);
+    return points[i - 1] + part * (points[i] - points[i - 1]);
+  }
+};
+
+// Parts of the way from the shoulder's joint to the fingertips at which people have elbow and wrist.
+constexpr double kElbowPart = 0.385;
+constexpr double kWristPart = 0.715;
+
+Centreline ArmLine(const BodySlices& body, Side side, const Eigen::Vector3d& root) {
+  Centreline line;
+  line.Add(root);
+  for (size_t k = body.slices.size(); k-- > 0;) {
+    const SectionLoop* loop = body.slices[k].ArmLoop(side);
+    if (loop != nullptr) line.Add(Eigen::Vector3d(loop->centroid.x(), body.slices[k].height, loop->centroid.y()));
+  }
+  return line;
+}
+
+// Where two straight pieces fit the line best between `low` and `high` (parts of its length), and how much it bends
+// there (unit: radian).
+struct Bend {
+  double along = 0.0;
+  double angle = 0.0;
+};
+
+Bend FindBend(const Centreline& line, double end, double low, double high) {
+  Bend best;
+  double best_error = 1e300;
+  const Eigen::Vector3d first = line.points.front();
+  const Eigen::Vector3d last = line.At(end);
+  for (double along = low; along <= high; along += 0.004) {
+    const Eigen::Vector3d joint = line.At(along);
+    double error = 0.0;
+    for (double s = 0.0; s < end; s += 0.01) {
+      const Eigen::Vector3d p = line.At(s);
+      const Eigen::Vector3d& from = s < along ? first : joint;
+      const Eigen::Vector3d direction = (s < along ? Eigen::Vector3d(joint - first) : Eigen::Vector3d(last - joint));
+      const Eigen::Vector3d unit = direction.normalized();
+      error += ((p - from) - unit.dot(p - from) * unit).squaredNorm();
+    }
+    if (error >= best_error) continue;
+    best_error = error;
+    best.along = along;
+    best.angle = std::acos(std::clamp((joint - first).normalized().dot((last - joint).normalized()), -1.0, 1.0));
+  }
+  return best;
+}
+
+LimbAxis FindArm(const BodyShape& shape, Side side, BodyLandmarks& landmarks) {
+  const LandmarkEstimate& acromion = landmarks[OnSide(BodyLandmark::kAcromionLeft, side)];
+  const LandmarkEstimate& armpit = landmarks[OnSide(BodyLandmark::kArmpitLeft, side)];
+  LimbAxis axis;
+  if (acromion.confidence == 0.0 || armpit.confidence == 0.0) return axis;
+  axis.root = 0.5 * (acromion.position + armpit.position);
+  const Centreline line = ArmLine(shape.slices, side, axis.root);
+  if (line.points.size() < 5) return axis;
+  const double length = line.length();
+  const double wrist = kWristPart * length;
+  Bend bend = FindBend(line, wrist, 0.30 * length, 0.47 * length);
+  const bool clear = bend.angle > 0.17;
+  if (!clear) bend.along = kElbowPart * length;
+  axis.joint = line.At(bend.along);
+  axis.end = line.At(wrist);
+  // The landmarks lie on the skin: the elbow's point behind, the wrist's outside.
+  const auto on_skin = [&](BodyLandmark landmark, const Eigen::Vector3d& inside, const Eigen::Vector2d& direction,
+                           double confidence) {
+    const SectionLoop* loop = shape.slices.At(inside.y()).ArmLoop(side);
+    if (loop == nullptr) return;
+    const Eigen::Vector2d p = FarthestAlong(*loop, direction);
+    landmarks[OnSide(landmark, side)] = {Eigen::Vector3d(p.x(), inside.y(), p.y()), confidence};
+  };
+  const double trust = std::min(acromion.confidence, armpit.confidence);
+  on_skin(BodyLandmark::kElbowLeft, axis.joint, Eigen::Vector2d(0.0, -1.0), std::min(trust, clear ? 0.8 : 0.5));
+  on_skin(BodyLandmark::kWristLeft, axis.end, Eigen::Vector2d(SignOf(side), 0.0), std::min(trust, 0.6));
+  return axis;
+}
+
+LimbAxis FindLeg(const BodyShape& shape, Side side, BodyLandmarks& landmarks) {
+  const BodySlices& body = shape.slices;
+  const LandmarkEstimate& crotch = landmarks[BodyLandmark::kCrotch];
+  const double hip_height = crotch.position.y() + 0.046 * body.stature;
+  LimbAxis axis;
+  const BodySlice& hip = body.At(hip_height);
+  if (hip.trunk < 0) return axis;
+  const Eigen::AlignedBox2d& bounds = hip.TrunkLoop()->bounds;
+  const double middle = hip.TrunkLoop()->centroid.x();
+  const double half_width = side == Side::kLeft ? bounds.max().x() - middle : middle - bounds.min().x();
+  axis.root = Eigen::Vector3d(middle + SignOf(side) * 0.57 * half_width, hip_height, hip.TrunkLoop()->centroid.y());
+  const auto centre = [&](double height) {
+    const SectionLoop* loop = body.At(height).LegLoop(side);
+    if (loop == nullptr) return axis.root;
+    return Eigen::Vector3d(loop->centroid.x(), height, loop->centroid.y());
+  };
+  const double ankle_height = 0.0427 * body.stature;
+  const double knee_height = 0.608 * crotch.position.y();
+  axis.joint = centre(knee_height);
+  axis.end = centre(ankle_height);
+  const auto on_skin = [&](BodyLandmark landmark, double height, const Eigen::Vector2d& direction, double confidence) {
+    const SectionLoop* loop = body.At(height).LegLoop(side);
+    if (loop == nullptr) return;
+    const Eigen::Vector2d p = FarthestAlong(*loop, direction);
+    landmarks[OnSide(landmark, side)] = {Eigen::Vector3d(p.x(), height, p.y()), confidence};
+  };
+  on_skin(BodyLandmark::kKneeLeft, knee_height, Eigen::Vector2d(0.0, 1.0), 0.5);
+  on_skin(BodyLandmark::kAnkleLeft, ankle_height, Eigen::Vector2d(SignOf(side), 0.0), 0.5);
+  return axis;
+}
+
+}  // namespace
+
+LimbAxes FindLimbs(const BodyShape& shape, BodyLandmarks& landmarks) {
+  LimbAxes axes;
+  axes.arm_left = FindArm(shape, Side::kLeft, landmarks);
+  axes.arm_right = FindArm(shape, Side::kRight, landmarks);
+  axes.leg_left = FindLeg(shape, Side::kLeft, landmarks);
+  axes.leg_right = FindLeg(shape, Side::kRight, landmarks);
+  return axes;
+}
+
+}  // namespace fitroom
