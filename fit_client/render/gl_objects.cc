@@ -181,18 +181,24 @@ Image GlTarget::Read() const {
   const size_t width = static_cast<size_t>(width_);
   const size_t height = static_cast<size_t>(height_);
   const size_t row_size = width * 2 * 4;
-  std::vector<uint8_t> samples(row_size * height * 2);
+  // In strips, for the sake of memory: a whole picture's samples take 16 bytes a pixel.
+  constexpr int kStrip = 32;  // (unit: pixel of the picture)
+  std::vector<uint8_t> samples(row_size * 2 * kStrip);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, 2 * width_, 2 * height_, GL_RGBA, GL_UNSIGNED_BYTE, samples.data());
   Image image{width_, height_, 3, std::vector<uint8_t>(width * height * 3)};
-  for (size_t y = 0; y < height; ++y) {
-    // OpenGL's first row is the lowest.
-    const uint8_t* low = samples.data() + 2 * (height - 1 - y) * row_size;
-    const uint8_t* high = low + row_size;
-    uint8_t* to = image.pixels.data() + y * width * 3;
-    for (size_t x = 0; x < width; ++x, low += 8, high += 8, to += 3) {
-      for (size_t c = 0; c < 3; ++c)
-        to[c] = static_cast<uint8_t>((low[c] + low[c + 4] + high[c] + high[c + 4] + 2) / 4);
+  for (int first = 0; first < height_; first += kStrip) {
+    const int count = std::min(kStrip, height_ - first);
+    glReadPixels(0, 2 * first, 2 * width_, 2 * count, GL_RGBA, GL_UNSIGNED_BYTE, samples.data());
+    for (int row = 0; row < count; ++row) {
+      const uint8_t* low = samples.data() + static_cast<size_t>(2 * row) * row_size;
+      const uint8_t* high = low + row_size;
+      // OpenGL's first row is the lowest.
+      uint8_t* to = image.at(0, height_ - 1 - first - row);
+      for (size_t x = 0; x < width; ++x, low += 8, high += 8, to += 3) {
+        for (size_t c = 0; c < 3; ++c) {
+          to[c] = static_cast<uint8_t>((low[c] + low[c + 4] + high[c] + high[c + 4] + 2) / 4);
+        }
+      }
     }
   }
   return image;

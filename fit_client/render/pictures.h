@@ -39,7 +39,7 @@ struct NamedPicture {
 // these. Fails like Renderer::Draw().
 Result<std::vector<NamedPicture>> DrawFitPictures(const FitPictureRequest& request);
 
-// Composes pictures of one size in a sheet: a row a stage, a column a view, with labels.
+// Composes RGB pictures of one size in a sheet with labels above the columns and in the corner of each row.
 Image ComposeSheet(const std::vector<std::vector<Image>>& rows, const std::vector<std::string>& row_labels,
                    const std::vector<std::string>& column_labels);
 

@@ -78,7 +78,9 @@ in float sky;
 out vec4 colour;
 void main() {
   vec3 n = normalize(eye_normal);
-  if (!gl_FrontFacing) n = -n;
+  // Inside or outside is asked of the smooth normal: simplification and scans leave single triangles turned over.
+  bool inside = n.z < -0.25;
+  if (inside) n = -n;
   vec3 albedo = vec3(0.800, 0.705, 0.640);
   albedo *= albedo;
   float shade = mix(0.25, 1.0, sky);
@@ -87,7 +89,7 @@ void main() {
   // Light that came through the skin's hollows is warm.
   vec3 warm = mix(vec3(1.06, 0.97, 0.92), vec3(1.0), clamp(light, 0.0, 1.0));
   vec3 lit = albedo * (light * warm + 0.06) + rim * vec3(0.5, 0.5, 0.52);
-  if (!gl_FrontFacing) lit *= 0.35;
+  if (inside) lit *= 0.35;
   colour = vec4(sqrt(lit), 1.0);
 }
 )";

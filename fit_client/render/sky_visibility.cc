@@ -38,33 +38,34 @@ SkyVisibility::SkyVisibility(const Eigen::Vector3d& bounds_min, const Eigen::Vec
   }
 }
 
-void SkyVisibility::AddSample(const Eigen::Vector3f& offset) {
-  const float scale = static_cast<float>(cell_count_) / (2.0F * radius_);
-  for (DepthMap& map : maps_) {
-    const int x = static_cast<int>((offset.dot(map.across) + radius_) * scale);
-    const int y = static_cast<int>((offset.dot(map.up) + radius_) * scale);
-    if (x < 0 || y < 0 || x >= cell_count_ || y >= cell_count_) continue;
-    float& height = map.heights[static_cast<size_t>(y) * static_cast<size_t>(cell_count_) + static_cast<size_t>(x)];
-    height = std::max(height, offset.dot(map.direction));
-  }
-}
-
 void SkyVisibility::AddOccluder(std::span<const Eigen::Vector3d> positions,
                                 std::span<const Eigen::Vector3i> triangles) {
   // Vertices and, on triangles larger than a cell, an even grid of points between them.
-  for (const Eigen::Vector3d& position : positions) AddSample(position.cast<float>() - centre_);
+  std::vector<Eigen::Vector3f> samples;
+  samples.reserve(positions.size());
+  for (const Eigen::Vector3d& position : positions) samples.emplace_back(position.cast<float>() - centre_);
   for (const Eigen::Vector3i& t : triangles) {
-    const Eigen::Vector3f a = positions[static_cast<size_t>(t[0])].cast<float>() - centre_;
-    const Eigen::Vector3f ab = positions[static_cast<size_t>(t[1])].cast<float>() - centre_ - a;
-    const Eigen::Vector3f ac = positions[static_cast<size_t>(t[2])].cast<float>() - centre_ - a;
+    const Eigen::Vector3f a = samples[static_cast<size_t>(t[0])];
+    const Eigen::Vector3f ab = samples[static_cast<size_t>(t[1])] - a;
+    const Eigen::Vector3f ac = samples[static_cast<size_t>(t[2])] - a;
     const float longest = std::sqrt(std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()}));
     const int steps = std::min(static_cast<int>(std::ceil(longest / kCellSize)), 64);
     for (int i = 0; i <= steps && steps > 1; ++i) {
       for (int k = 0; k + i <= steps; ++k) {
         const float u = static_cast<float>(i) / static_cast<float>(steps);
         const float v = static_cast<float>(k) / static_cast<float>(steps);
-        AddSample(a + u * ab + v * ac);
+        samples.emplace_back(a + u * ab + v * ac);
       }
+    }
+  }
+  const float scale = static_cast<float>(cell_count_) / (2.0F * radius_);
+  for (DepthMap& map : maps_) {
+    for (const Eigen::Vector3f& sample : samples) {
+      const int x = static_cast<int>((sample.dot(map.across) + radius_) * scale);
+      const int y = static_cast<int>((sample.dot(map.up) + radius_) * scale);
+      if (x < 0 || y < 0 || x >= cell_count_ || y >= cell_count_) continue;
+      float& height = map.heights[static_cast<size_t>(y) * static_cast<size_t>(cell_count_) + static_cast<size_t>(x)];
+      height = std::max(height, sample.dot(map.direction));
     }
   }
 }
@@ -74,14 +75,20 @@ std::vector<float> SkyVisibility::Compute(std::span<const Eigen::Vector3d> posit
   const float scale = static_cast<float>(cell_count_) / (2.0F * radius_);
   std::vector<float> seen(positions.size(), 0.0F);
   std::vector<float> whole(positions.size(), 0.0F);
+  std::vector<Eigen::Vector3f> lifted(positions.size());
+  std::vector<Eigen::Vector3f> facing(positions.size());
+  for (size_t i = 0; i < positions.size(); ++i) {
+    facing[i] = normals[i].cast<float>();
+    lifted[i] = positions[i].cast<float>() - centre_ + kLift * facing[i];
+  }
   for (const DepthMap& map : maps_) {
     for (size_t i = 0; i < positions.size(); ++i) {
-      const Eigen::Vector3f normal = normals[i].cast<float>();
+      const Eigen::Vector3f& normal = facing[i];
       const float cosine = normal.dot(map.direction);
       if (cosine <= 0.0F) continue;
       const float weight = cosine * map.weight;
       whole[i] += weight;
-      const Eigen::Vector3f offset = positions[i].cast<float>() - centre_ + kLift * (normal + 0.5F * map.direction);
+      const Eigen::Vector3f offset = lifted[i] + 0.5F * kLift * map.direction;
       const float height = offset.dot(map.direction);
       const float x = (offset.dot(map.across) + radius_) * scale - 0.5F;
       const float y = (offset.dot(map.up) + radius_) * scale - 0.5F;

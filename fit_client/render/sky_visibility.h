@@ -31,8 +31,6 @@ class SkyVisibility {
     float weight = 0.0F;
     std::vector<float> heights;
   };
-  void AddSample(const Eigen::Vector3f& offset);
-
   Eigen::Vector3f centre_;
   float radius_ = 0.0F;
   int cell_count_ = 0;  // A side of the grid.
