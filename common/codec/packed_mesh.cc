@@ -82,7 +82,7 @@ Result<Header> ReadHeader(std::string_view bytes) {
 }
 
 Status DecodeVertices(std::string_view code, std::vector<Eigen::Vector3d>& vertices, size_t count) {
-  if (count == 0) return Status();
+  if (count == 0) return code.empty() ? Status() : Damaged("it holds vertices but declares none");
   std::vector<float> coordinates(3 * count);
   const auto* const bytes = reinterpret_cast<const unsigned char*>(code.data());
   if (meshopt_decodeVertexBuffer(coordinates.data(), count, kVertexSize, bytes, code.size()) != 0) {
@@ -99,7 +99,7 @@ Status DecodeVertices(std::string_view code, std::vector<Eigen::Vector3d>& verti
 
 Status DecodeTriangles(std::string_view code, uint32_t vertex_count, std::vector<Eigen::Vector3i>& triangles,
                        size_t count) {
-  if (count == 0) return Status();
+  if (count == 0) return code.empty() ? Status() : Damaged("it holds triangles but declares none");
   std::vector<uint32_t> indices(3 * count);
   const auto* const bytes = reinterpret_cast<const unsigned char*>(code.data());
   if (meshopt_decodeIndexSequence(indices.data(), indices.size(), sizeof(uint32_t), bytes, code.size()) != 0) {
