@@ -8,6 +8,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "body_center " FITROOM_VERSION);
   app.require_subcommand(1);
   int exit_code = 0;
+  fitroom::body_center::AddMeasureCommand(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
