@@ -15,6 +15,7 @@ struct SectionLayout {
   std::vector<std::string> knots;  // First and last are corners of the outline.
   int mirror = 0;                  // Index of the section on the other side; its own for neck and hem.
   int degree = 1;                  // Of the smooth curve that replaces the crumpled outline.
+  int held_knot = -1;              // A knot at which the outline bends: the curve is held there. -1: none.
   // The section is its own on each panel (neck, hem) instead of shared by both.
   bool own_per_panel = false;
 };

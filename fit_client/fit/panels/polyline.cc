@@ -99,7 +99,8 @@ Polyline SmoothSamples(const Polyline& samples, double sigma_in_steps) {
   return smooth;
 }
 
-Polyline FitBezier(std::span<const Eigen::Vector2d> points, std::span<const double> parameters, int degree) {
+Polyline FitBezier(std::span<const Eigen::Vector2d> points, std::span<const double> parameters, int degree, int held) {
+  constexpr double kHeldWeight = 30.0;
   const int count = static_cast<int>(points.size());
   const int used_degree = std::max(1, std::min(degree, count - 1));
   const int free_count = used_degree - 1;
@@ -114,7 +115,11 @@ Polyline FitBezier(std::span<const Eigen::Vector2d> points, std::span<const doub
       rest.row(i) = points[static_cast<size_t>(i)].transpose() - basis(i, 0) * controls.row(0) -
                     basis(i, used_degree) * controls.row(used_degree);
     }
-    const Eigen::MatrixXd inner = basis.middleCols(1, free_count);
+    Eigen::MatrixXd inner = basis.middleCols(1, free_count);
+    if (held >= 0) {
+      inner.row(held) *= kHeldWeight;
+      rest.row(held) *= kHeldWeight;
+    }
     controls.middleRows(1, free_count) = inner.colPivHouseholderQr().solve(rest);
   }
   Polyline curve(points.size());

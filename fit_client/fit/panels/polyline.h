@@ -28,7 +28,9 @@ Polyline SmoothSamples(const Polyline& samples, double sigma_in_steps);
 
 // Fits a Bezier curve of `degree` to points at `parameters` (0 to 1) by least squares, with its ends on the first and
 // last point, and returns the curve at the same parameters. With fewer points than the degree needs the degree falls.
-Polyline FitBezier(std::span<const Eigen::Vector2d> points, std::span<const double> parameters, int degree);
+// The point `held`, if not negative, is followed more closely than the rest.
+Polyline FitBezier(std::span<const Eigen::Vector2d> points, std::span<const double> parameters, int degree,
+                   int held = -1);
 
 // Returns the signed area of a closed polygon, positive if counter-clockwise.
 double SignedArea(std::span<const Eigen::Vector2d> polygon);

@@ -82,20 +82,21 @@ std::vector<Polyline> AverageShared(const std::vector<SectionLayout>& layout, co
   return shared;
 }
 
-void Smooth(const SectionLayout& section, Polyline& points) {
+void Smooth(const SectionLayout& section, const std::vector<int>& knots, Polyline& points) {
   const std::vector<double> arcs = panels::CumulativeLengths(points);
   if (arcs.back() <= 0.0) return;
   std::vector<double> parameters(arcs);
   for (double& t : parameters) t /= arcs.back();
-  points = panels::FitBezier(points, parameters, section.degree);
+  const int held = section.held_knot < 0 ? -1 : knots[static_cast<size_t>(section.held_knot)];
+  points = panels::FitBezier(points, parameters, section.degree, held);
 }
 
 // A view's own section (neck, hem) between the corners that the shared sections gave it.
-Polyline OwnSection(const SectionLayout& section, const Polyline& seen, const Eigen::Vector2d& first,
-                    const Eigen::Vector2d& last, bool asymmetric) {
+Polyline OwnSection(const SectionLayout& section, const std::vector<int>& knots, const Polyline& seen,
+                    const Eigen::Vector2d& first, const Eigen::Vector2d& last, bool asymmetric) {
   Polyline points = asymmetric ? seen : Mean(seen, panels::Mirrored(seen));
   panels::MoveEnds(points, first, last);
-  Smooth(section, points);
+  Smooth(section, knots, points);
   return asymmetric ? points : Mean(points, panels::Mirrored(points));
 }
 
@@ -169,7 +170,7 @@ Result<GarmentPattern> ReconcileViews(const Garment& garment) {
   panels::KeepSleeveLengths(layout, knots, {&front, &back}, asymmetric, shared);
   for (size_t s = 0; s < layout.size(); ++s) {
     if (layout[s].own_per_panel) continue;
-    Smooth(layout[s], shared[s]);
+    Smooth(layout[s], knots[s], shared[s]);
     const size_t mirror = static_cast<size_t>(layout[s].mirror);
     if (!asymmetric && mirror < s) shared[s] = panels::Mirrored(shared[mirror]);
   }
@@ -181,7 +182,7 @@ Result<GarmentPattern> ReconcileViews(const Garment& garment) {
       if (!layout[s].own_per_panel) continue;
       const Eigen::Vector2d& first = shared[(s + layout.size() - 1) % layout.size()].back();
       const Eigen::Vector2d& last = shared[(s + 1) % layout.size()].front();
-      sections[s] = OwnSection(layout[s], samples->points[s], first, last, asymmetric);
+      sections[s] = OwnSection(layout[s], knots[s], samples->points[s], first, last, asymmetric);
       if (s == 0 && samples == &back && !garment.back) MakeShallow(sections[s], knots[s][1]);
     }
     *panel = MakePanel(layout, knots, *outline, *samples, sections);

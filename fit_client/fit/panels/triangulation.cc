@@ -203,8 +203,10 @@ void Triangulator::RestoreDelaunay(std::vector<EdgeRef> stack) {
   }
 }
 
-// Finds the edge from a to b by turning round a; triangle -1 if there is none.
+// Finds the edge between a and b by turning round one of them; triangle -1 if there is none. Turning ends only round
+// points inside the enclosing triangle, and of any two at least one is asked for that is.
 EdgeRef Triangulator::FindEdge(int a, int b) const {
+  if (index(a) + 3 >= points_.size()) std::swap(a, b);
   const int start = triangle_of_point_[index(a)];
   int t = start;
   do {

@@ -87,20 +87,27 @@ GarmentView DrawView(const DrawnTShirt& shirt, GarmentSide side, const DrawnView
 
   std::map<std::string, Eigen::Vector2d> places;
   std::vector<Eigen::Vector2d> left, right;  // From the neck's middle to the hem's middle.
-  const std::vector<Stroke> strokes = LeftHalf(shirt, front ? shirt.front_drop : shirt.back_drop);
+  const double drop = front ? shirt.front_drop : shirt.back_drop;
+  const std::vector<Stroke> strokes = LeftHalf(shirt, drop);
+  DrawnTShirt right_shirt = shirt;
+  right_shirt.sleeve_top = shirt.shoulder_tip + shirt.right_sleeve_share * (shirt.sleeve_top - shirt.shoulder_tip);
+  right_shirt.sleeve_bottom = shirt.underarm + shirt.right_sleeve_share * (shirt.sleeve_bottom - shirt.underarm);
+  const std::vector<Stroke> right_strokes = LeftHalf(right_shirt, drop);
   double arc = 0.0;
-  for (const Stroke& stroke : strokes) {
+  for (size_t s = 0; s < strokes.size(); ++s) {
+    const Stroke& stroke = strokes[s];
     std::vector<double> steps;
     const int count = static_cast<int>(std::ceil(stroke.length * how.pixels_per_metre / 1.5));
     for (int i = 0; i < count; ++i) steps.push_back(static_cast<double>(i) / count);
     for (const auto& [t, name] : stroke.at) steps.push_back(t);
     std::sort(steps.begin(), steps.end());
+    steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
     for (double t : steps) {
       const Eigen::Vector2d flat = stroke.curve(t);
       // Waves of about 6 cm with another phase on the other side.
       const double wave = 2.0 * std::numbers::pi * (arc + t * stroke.length) / 0.06;
       const Eigen::Vector2d on_left = TurnSleeve(shirt, flat, turn);
-      const Eigen::Vector2d on_right = TurnSleeve(shirt, flat, -turn);
+      const Eigen::Vector2d on_right = TurnSleeve(right_shirt, right_strokes[s].curve(t), -turn);
       left.push_back(pixel_of(on_left, wave));
       right.push_back(pixel_of({-on_right.x(), on_right.y()}, wave + 2.0));
       for (const auto& [named_t, name] : stroke.at) {

@@ -1,0 +1,249 @@
+#include "fit_client/fit/panels/reconcile.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "fit_client/fit/panels/measure.h"
+#include "fit_client/fit/panels/polyline.h"
+#include "tests/fit_client/panels/drawn_tshirt.h"
+#include "tests/support/sample_garment.h"
+
+namespace fitroom {
+namespace {
+
+using testing::DrawGarment;
+using testing::DrawnTShirt;
+using testing::DrawnView;
+
+GarmentPattern Reconciled(const Garment& garment) {
+  Result<GarmentPattern> pattern = ReconcileViews(garment);
+  EXPECT_TRUE(pattern.ok()) << pattern.status().ToString();
+  if (!pattern.ok()) throw std::runtime_error("no pattern");
+  return std::move(pattern).value();
+}
+
+// The measures of the drawing, from its own numbers.
+GarmentMeasures MeasuresOf(const DrawnTShirt& shirt) {
+  GarmentMeasures truth;
+  truth.length = shirt.length;
+  truth.bust_girth = 4.0 * shirt.underarm.x();
+  truth.waist_girth = 4.0 * shirt.half_waist;
+  truth.hem_girth = 4.0 * shirt.half_hem;
+  truth.shoulder_width = 2.0 * shirt.shoulder_tip.x();
+  truth.sleeve_length = (shirt.sleeve_top - shirt.shoulder_tip).norm();
+  const Eigen::Vector2d along = (shirt.sleeve_top - shirt.shoulder_tip).normalized();
+  const Eigen::Vector2d arm = shirt.underarm - shirt.shoulder_tip;
+  truth.upper_arm_girth = 2.0 * std::abs(along.x() * arm.y() - along.y() * arm.x());
+  return truth;
+}
+
+void ExpectMeasures(const GarmentMeasures& found, const GarmentMeasures& truth, double tolerance) {
+  EXPECT_NEAR(found.length / truth.length, 1.0, tolerance);
+  EXPECT_NEAR(found.bust_girth / truth.bust_girth, 1.0, tolerance);
+  EXPECT_NEAR(found.waist_girth / truth.waist_girth, 1.0, tolerance);
+  EXPECT_NEAR(found.hem_girth / truth.hem_girth, 1.0, tolerance);
+  EXPECT_NEAR(found.shoulder_width / truth.shoulder_width, 1.0, tolerance);
+  // A smooth curve through shoulder, tip and sleeve cuts the drawing's corner at the tip.
+  EXPECT_NEAR(found.sleeve_length / truth.sleeve_length, 1.0, 3.0 * tolerance);
+  EXPECT_NEAR(found.upper_arm_girth / truth.upper_arm_girth, 1.0, 3.0 * tolerance);
+}
+
+TEST(ReconcileViews, RecoversTheMeasuresOfADrawing) {
+  const DrawnTShirt shirt;
+  ExpectMeasures(MeasurePattern(Reconciled(DrawGarment(shirt, {}, {}))), MeasuresOf(shirt), 0.003);
+}
+
+TEST(ReconcileViews, SeesThroughTiltScaleBendAndCrumple) {
+  const DrawnTShirt shirt;
+  for (double scale : {0.5, 1.0, 2.0}) {
+    for (double tilt : {-5.0, 5.0}) {
+      const DrawnView front{
+          .tilt_deg = tilt, .pixels_per_metre = 1000 * scale, .sway = 0.004, .crumple = 0.001, .sleeve_turn_deg = 5};
+      const DrawnView back{
+          .tilt_deg = -0.7 * tilt, .pixels_per_metre = 1300, .sway = -0.005, .crumple = 0.001, .sleeve_turn_deg = -3};
+      SCOPED_TRACE("scale " + std::to_string(scale) + " tilt " + std::to_string(tilt));
+      ExpectMeasures(MeasurePattern(Reconciled(DrawGarment(shirt, front, back))), MeasuresOf(shirt), 0.005);
+    }
+  }
+}
+
+TEST(ReconcileViews, KeepsTheGivenLengthExactly) {
+  DrawnTShirt shirt;
+  Garment garment = DrawGarment(shirt, {.tilt_deg = 4}, {.tilt_deg = -2});
+  garment.length = 0.70;  // The shop's scale is 3 % off; the stated length counts.
+  EXPECT_NEAR(MeasurePattern(Reconciled(garment)).length, 0.70, 0.0005);
+}
+
+TEST(ReconcileViews, GivesSeamsOneShapeAndSidesMirrorEachOther) {
+  const GarmentPattern pattern = Reconciled(DrawGarment(DrawnTShirt(), {.tilt_deg = 5, .sway = 0.006, .crumple = 0.002},
+                                                        {.pixels_per_metre = 700, .crumple = 0.002}));
+  ASSERT_EQ(pattern.front.sections.size(), 10u);
+  ASSERT_EQ(pattern.back.sections.size(), 10u);
+  EXPECT_FALSE(pattern.asymmetric_by_design);
+  for (size_t s = 0; s < 10; ++s) {
+    const OutlineSection& front = pattern.front.sections[s];
+    const OutlineSection& back = pattern.back.sections[s];
+    EXPECT_EQ(front.name, back.name);
+    EXPECT_EQ(front.pixels.size(), front.points.size());
+    EXPECT_EQ(front.points.back(), pattern.front.sections[(s + 1) % 10].points.front());
+    EXPECT_EQ(front.pixels.back(), pattern.front.sections[(s + 1) % 10].pixels.front());
+    if (front.kind == SectionKind::kSeam) {
+      EXPECT_EQ(front.points, back.points) << front.name;
+    }
+    // The outline runs neck, right side, hem, left side: mirrored, section s is section 10 - s, or itself.
+    const OutlineSection& mirror = pattern.front.sections[(10 - s) % 10];
+    ASSERT_EQ(front.points.size(), mirror.points.size());
+    for (size_t i = 0; i < front.points.size(); ++i) {
+      const Eigen::Vector2d& other = mirror.points[mirror.points.size() - 1 - i];
+      EXPECT_EQ(front.points[i], Eigen::Vector2d(-other.x(), other.y())) << front.name;
+    }
+  }
+}
+
+TEST(ReconcileViews, PutsTheOriginBetweenTheNecksEndsAndTheWearersLeftOnPlusX) {
+  const GarmentPattern pattern = Reconciled(DrawGarment(DrawnTShirt(), {}, {}));
+  for (const PanelPattern* panel : {&pattern.front, &pattern.back}) {
+    const Eigen::Vector2d cp = 0.5 * (*FindPatternPoint(*panel, "P1") + *FindPatternPoint(*panel, "P2"));
+    EXPECT_NEAR(cp.norm(), 0.0, 1e-12);
+    EXPECT_GT(FindPatternPoint(*panel, "P2")->x(), 0.05);
+    EXPECT_GT(FindPatternPoint(*panel, "e4")->x(), 0.2);
+    EXPECT_LT(FindPatternPoint(*panel, "hem_L")->y(), -0.5);
+    EXPECT_GT(panels::SignedArea(JoinedPoints(*panel)), 0.0);
+  }
+  // The necks are their own: 9 cm in front, 2 cm behind, as drawn.
+  EXPECT_NEAR(FindPatternPoint(pattern.front, "neck_drop")->y(), -0.09, 0.002);
+  EXPECT_NEAR(FindPatternPoint(pattern.back, "neck_drop")->y(), -0.02, 0.002);
+}
+
+TEST(ReconcileViews, SmoothsTheCrumpleOutOfTheOutline) {
+  // Waves of 2 mm and 6 cm turn the outline by up to 12 degrees; the pattern's hem and sides must not.
+  const GarmentPattern pattern = Reconciled(DrawGarment(DrawnTShirt(), {.crumple = 0.002}, {.crumple = 0.002}));
+  for (const char* name : {"hem", "side_L", "sleeve_end_L", "underside_L"}) {
+    const std::vector<Eigen::Vector2d>& points = FindSection(pattern.front, name)->points;
+    double turn = 0.0;
+    for (size_t i = 2; i < points.size(); ++i) {
+      const Eigen::Vector2d u = points[i - 1] - points[i - 2], v = points[i] - points[i - 1];
+      turn += std::abs(std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v)));
+    }
+    EXPECT_LT(turn, 0.6) << name;  // The drawn side turns by 0.3 in all; the waves would add about 3.
+  }
+}
+
+TEST(ReconcileViews, TurnsEqualSleevesOfUnequalLayIntoEqualSleeves) {
+  const DrawnTShirt shirt;
+  const GarmentMeasures measures =
+      MeasurePattern(Reconciled(DrawGarment(shirt, {.sleeve_turn_deg = 14}, {.sleeve_turn_deg = -14})));
+  // The plain average of sleeves turned by ±14 degrees would be 3 % short.
+  EXPECT_NEAR(measures.sleeve_length / MeasuresOf(shirt).sleeve_length, 1.0, 0.015);
+}
+
+TEST(ReconcileViews, KeepsAnAsymmetryThatBothPhotographsShow) {
+  DrawnTShirt shirt;
+  shirt.right_sleeve_share = 0.5;
+  const Garment garment = DrawGarment(shirt, {.tilt_deg = 2}, {.pixels_per_metre = 800});
+  const GarmentPattern pattern = Reconciled(garment);
+  EXPECT_TRUE(pattern.asymmetric_by_design);
+  const double left = (*FindPatternPoint(pattern.front, "e4") - *FindPatternPoint(pattern.front, "e3")).norm();
+  const double right = (*FindPatternPoint(pattern.front, "e8") - *FindPatternPoint(pattern.front, "e7")).norm();
+  EXPECT_NEAR(right / left, 0.5, 0.01);
+}
+
+TEST(ReconcileViews, AveragesAnAsymmetryThatOnePhotographShows) {
+  DrawnTShirt folded;
+  folded.right_sleeve_share = 0.8;
+  Garment garment = DrawGarment(DrawnTShirt(), {}, {});
+  garment.back = DrawView(folded, GarmentSide::kBack, {});
+  EXPECT_FALSE(Reconciled(garment).asymmetric_by_design);
+}
+
+TEST(ReconcileViews, MakesABackOfTheFrontWhereNoneWasTaken) {
+  Garment garment = DrawGarment(DrawnTShirt(), {}, {});
+  garment.back.reset();
+  const GarmentPattern pattern = Reconciled(garment);
+  EXPECT_EQ(pattern.back.side, GarmentSide::kBack);
+  EXPECT_EQ(FindSection(pattern.front, "side_L")->points, FindSection(pattern.back, "side_L")->points);
+  EXPECT_NEAR(FindPatternPoint(pattern.front, "neck_drop")->y(), -0.09, 0.002);
+  EXPECT_NEAR(FindPatternPoint(pattern.back, "neck_drop")->y(), -0.025, 0.002);
+  // Seen from behind, the wearer's left is on the left, where the photograph shows the wearer's right.
+  const OutlineSection* front = FindSection(pattern.front, "side_R");
+  const OutlineSection* back = FindSection(pattern.back, "side_L");
+  EXPECT_NEAR((front->pixels.front() - back->pixels.back()).norm(), 0.0, 1e-6);
+}
+
+TEST(ReconcileViews, BridgesTheNeckOfAnOutlineThatFollowsTheBackEdge) {
+  Garment garment = DrawGarment(DrawnTShirt(), {}, {});
+  const Eigen::Vector2d drop = FindPoint(garment.front, "neck_drop")->pixel;
+  // The front's neckline is replaced by the back's, as a mask that contains the inside of the back neck has it.
+  DrawnTShirt shallow;
+  shallow.front_drop = shallow.back_drop;
+  garment.front = DrawView(shallow, GarmentSide::kFront, {});
+  for (OutlinePoint& point : garment.front.points) {
+    if (point.name == "neck_drop") point.pixel = drop;
+  }
+  const GarmentPattern pattern = Reconciled(garment);
+  EXPECT_NEAR(FindPatternPoint(pattern.front, "neck_drop")->y(), -0.09, 0.002);
+}
+
+TEST(ReconcileViews, TakesTheStraightLinedSampleAsItIs) {
+  const GarmentMeasures measures = MeasurePattern(Reconciled(testing::MakeSampleTShirt()));
+  EXPECT_NEAR(measures.length, 0.68, 0.001);
+  EXPECT_NEAR(measures.bust_girth, 0.96, 0.005);
+  EXPECT_NEAR(measures.hem_girth, 0.96, 0.005);
+  EXPECT_NEAR(measures.shoulder_width, 0.42, 0.01);
+}
+
+TEST(ReconcileViews, RefusesWithAReason) {
+  const Garment good = DrawGarment(DrawnTShirt(), {}, {});
+  const auto reason = [](const Garment& garment) { return ReconcileViews(garment).status().reason(); };
+  ASSERT_TRUE(ReconcileViews(good).ok());
+
+  Garment bad = good;
+  bad.kind = GarmentKind::kPants;
+  EXPECT_EQ(reason(bad), "KIND_NOT_SUPPORTED");
+
+  bad = good;
+  bad.front.outline.resize(5);
+  EXPECT_EQ(reason(bad), "BAD_OUTLINE");
+
+  bad = good;
+  bad.back->outline[3].x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(reason(bad), "BAD_OUTLINE");
+
+  bad = good;
+  bad.front.metre_per_pixel = 0.0;
+  EXPECT_EQ(reason(bad), "BAD_SCALE");
+
+  bad = good;
+  bad.length = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(reason(bad), "BAD_SCALE");
+
+  bad = good;
+  bad.length = 1.2;
+  EXPECT_EQ(reason(bad), "SCALE_CONTRADICTS_LENGTH");
+
+  bad = good;
+  std::erase_if(bad.front.points, [](const OutlinePoint& point) { return point.name == "underarm_L"; });
+  EXPECT_EQ(reason(bad), "POINT_MISSING");
+
+  bad = good;
+  for (OutlinePoint& point : bad.front.points) {
+    if (point.name == "e4") point.pixel += Eigen::Vector2d(80, -80);
+  }
+  EXPECT_EQ(reason(bad), "POINT_OFF_OUTLINE");
+
+  bad = good;  // Left and right as the image shows them instead of the wearer's.
+  for (OutlinePoint& point : bad.front.points) point.name = TwinPointName(point.name);
+  EXPECT_EQ(reason(bad), "POINTS_OUT_OF_ORDER");
+
+  bad = good;
+  std::swap(bad.front.points[18].pixel, bad.front.points[16].pixel);  // hem_L and hip_L.
+  EXPECT_EQ(reason(bad), "POINTS_OUT_OF_ORDER");
+}
+
+}  // namespace
+}  // namespace fitroom
