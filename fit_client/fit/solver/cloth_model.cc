@@ -1,0 +1,349 @@
+#include "fit_client/fit/solver/cloth_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <tuple>
+
+#include <Eigen/Geometry>
+
+namespace fitroom {
+namespace {
+
+constexpr int kParticlesPerChunk =
+    1500;                              // Small enough for the first-level cache to help, large enough to hide hand-out.
+constexpr int kParticlesPerLeaf = 32;  // Bisection for locality stops here.
+
+int FindRoot(std::vector<int>& parent, int index) {
+  while (parent[static_cast<size_t>(index)] != index) {
+    parent[static_cast<size_t>(index)] = parent[static_cast<size_t>(parent[static_cast<size_t>(index)])];
+    index = parent[static_cast<size_t>(index)];
+  }
+  return index;
+}
+
+// One edge of the merged mesh with what its one or more triangles say about it.
+struct EdgeUse {
+  int low = 0;
+  int high = 0;
+  int opposite = 0;  // The triangle's third particle.
+  int triangle = 0;
+  double rest_length = 0.0;
+};
+
+}  // namespace
+
+// Builds one ClothModel, step by step.
+class ClothModelBuilder {
+ public:
+  ClothModelBuilder(const ClothMesh& mesh, const ClothMaterial& material, std::span<const SeamPair> welds)
+      : mesh_(mesh), material_(material), welds_(welds) {}
+
+  Result<ClothModel> Build() {
+    FR_RETURN_IF_ERROR(CheckInput());
+    NumberParticles();
+    FR_RETURN_IF_ERROR(ComputeMasses());
+    CollectEdgeUses();
+    MakeConstraints();
+    return std::move(model_);
+  }
+
+ private:
+  Status CheckInput() const;
+  void NumberParticles();
+  void Bisect(std::vector<int>& order, size_t begin, size_t end, int depth,
+              const std::vector<Eigen::Vector3d>& centres);
+  Status ComputeMasses();
+  void CollectEdgeUses();
+  void MakeConstraints();
+  void AddBend(const EdgeUse& first, const EdgeUse& second);
+  // Returns the chunk that holds all given particles, or the border.
+  template <size_t kCount>
+  ClothChunk& ChunkOf(const std::array<int, kCount>& particles);
+  static std::vector<StretchBatch> MakeBatches(const std::vector<std::tuple<int, int, float, float>>& springs,
+                                               int idle);
+
+  double RestArea(int triangle) const {
+    const Eigen::Vector3i& corners = mesh_.triangles[static_cast<size_t>(triangle)];
+    const Eigen::Vector3d& a = Rest(corners[0]);
+    return 0.5 * (Rest(corners[1]) - a).cross(Rest(corners[2]) - a).norm();
+  }
+  const Eigen::Vector3d& Rest(int vertex) const { return mesh_.rest_positions[static_cast<size_t>(vertex)]; }
+
+  const ClothMesh& mesh_;
+  const ClothMaterial& material_;
+  std::span<const SeamPair> welds_;
+  ClothModel model_;
+  std::vector<int> chunk_of_particle_;
+  std::vector<size_t> chunk_begins_;  // First particle of each chunk.
+  std::vector<EdgeUse> edge_uses_;    // Sorted by edge.
+};
+
+Status ClothModelBuilder::CheckInput() const {
+  const int vertex_count = static_cast<int>(mesh_.rest_positions.size());
+  if (vertex_count == 0 || mesh_.triangles.empty()) return InvalidArgument("CLOTH_EMPTY", "the cloth has no triangles");
+  for (int vertex = 0; vertex < vertex_count; ++vertex) {
+    if (!Rest(vertex).allFinite()) {
+      return InvalidArgument("CLOTH_NOT_FINITE",
+                             "the rest position of cloth vertex " + std::to_string(vertex) + " is not finite");
+    }
+  }
+  for (const Eigen::Vector3i& triangle : mesh_.triangles) {
+    if (triangle.minCoeff() < 0 || triangle.maxCoeff() >= vertex_count) {
+      return InvalidArgument("CLOTH_INDEX_OUT_OF_RANGE", "a triangle of the cloth names a vertex that does not exist");
+    }
+  }
+  for (const SeamPair& pair : welds_) {
+    if (std::min(pair.a, pair.b) < 0 || std::max(pair.a, pair.b) >= vertex_count) {
+      return InvalidArgument("SEAM_INDEX_OUT_OF_RANGE", "a seam pair names a vertex that does not exist");
+    }
+  }
+  if (!(material_.areal_density > 0.0) || !(material_.stretch_stiffness > 0.0) || material_.bending_stiffness < 0.0) {
+    return InvalidArgument("MATERIAL_OUT_OF_RANGE", "density and stretch stiffness must be positive");
+  }
+  return Status();
+}
+
+void ClothModelBuilder::NumberParticles() {
+  const size_t vertex_count = mesh_.rest_positions.size();
+  std::vector<int> parent(vertex_count);
+  std::iota(parent.begin(), parent.end(), 0);
+  for (const SeamPair& pair : welds_) {
+    const int a = FindRoot(parent, pair.a);
+    const int b = FindRoot(parent, pair.b);
+    parent[static_cast<size_t>(std::max(a, b))] = std::min(a, b);
+  }
+  std::vector<int> roots;
+  std::vector<int> group_of_root(vertex_count, -1);
+  for (size_t vertex = 0; vertex < vertex_count; ++vertex) {
+    if (FindRoot(parent, static_cast<int>(vertex)) != static_cast<int>(vertex)) continue;
+    group_of_root[vertex] = static_cast<int>(roots.size());
+    roots.push_back(static_cast<int>(vertex));
+  }
+  std::vector<Eigen::Vector3d> centres;
+  for (const int root : roots) centres.push_back(Rest(root));
+  std::vector<int> order(roots.size());
+  std::iota(order.begin(), order.end(), 0);
+  int depth = 0;
+  while ((roots.size() >> depth) > static_cast<size_t>(kParticlesPerChunk)) ++depth;
+  Bisect(order, 0, order.size(), depth, centres);
+
+  std::vector<int> particle_of_group(roots.size());
+  for (size_t particle = 0; particle < order.size(); ++particle) {
+    particle_of_group[static_cast<size_t>(order[particle])] = static_cast<int>(particle);
+  }
+  model_.particle_of_vertex_.resize(vertex_count);
+  for (size_t vertex = 0; vertex < vertex_count; ++vertex) {
+    const int root = FindRoot(parent, static_cast<int>(vertex));
+    model_.particle_of_vertex_[vertex] =
+        particle_of_group[static_cast<size_t>(group_of_root[static_cast<size_t>(root)])];
+  }
+  model_.masses_.assign(roots.size(), 0.0);
+  model_.chunks_.resize(chunk_begins_.size());
+  chunk_of_particle_.resize(roots.size());
+  for (size_t chunk = 0; chunk < chunk_begins_.size(); ++chunk) {
+    const size_t end = chunk + 1 < chunk_begins_.size() ? chunk_begins_[chunk + 1] : roots.size();
+    model_.chunks_[chunk].first_particle = static_cast<int>(chunk_begins_[chunk]);
+    model_.chunks_[chunk].particle_count = static_cast<int>(end - chunk_begins_[chunk]);
+    for (size_t particle = chunk_begins_[chunk]; particle < end; ++particle) {
+      chunk_of_particle_[particle] = static_cast<int>(chunk);
+    }
+  }
+}
+
+// Halves a range of particles along its longest side; `depth` more halvings end in chunks.
+void ClothModelBuilder::Bisect(std::vector<int>& order, size_t begin, size_t end, int depth,
+                               const std::vector<Eigen::Vector3d>& centres) {
+  if (depth == 0) chunk_begins_.push_back(begin);
+  if (depth <= 0 && end - begin <= static_cast<size_t>(kParticlesPerLeaf)) return;
+  Eigen::AlignedBox3d box;
+  for (size_t index = begin; index < end; ++index) box.extend(centres[static_cast<size_t>(order[index])]);
+  int axis = 0;
+  box.sizes().maxCoeff(&axis);
+  const size_t middle = begin + (end - begin) / 2;
+  std::nth_element(order.begin() + static_cast<std::ptrdiff_t>(begin),
+                   order.begin() + static_cast<std::ptrdiff_t>(middle),
+                   order.begin() + static_cast<std::ptrdiff_t>(end), [&](int p, int q) {
+                     const double at_p = centres[static_cast<size_t>(p)][axis];
+                     const double at_q = centres[static_cast<size_t>(q)][axis];
+                     return at_p != at_q ? at_p < at_q : p < q;
+                   });
+  Bisect(order, begin, middle, depth - 1, centres);
+  Bisect(order, middle, end, depth - 1, centres);
+}
+
+Status ClothModelBuilder::ComputeMasses() {
+  for (size_t index = 0; index < mesh_.triangles.size(); ++index) {
+    const double third = material_.areal_density * RestArea(static_cast<int>(index)) / 3.0;
+    std::array<int, 3> corners = {};
+    for (size_t corner = 0; corner < 3; ++corner) {
+      const int vertex = mesh_.triangles[index][static_cast<Eigen::Index>(corner)];
+      corners[corner] = model_.particle_of_vertex_[static_cast<size_t>(vertex)];
+      model_.masses_[static_cast<size_t>(corners[corner])] += third;
+    }
+    model_.triangles_.push_back(corners);
+  }
+  for (size_t vertex = 0; vertex < model_.particle_of_vertex_.size(); ++vertex) {
+    if (!(model_.masses_[static_cast<size_t>(model_.particle_of_vertex_[vertex])] > 0.0)) {
+      return InvalidArgument("CLOTH_PARTICLE_WITHOUT_AREA",
+                             "cloth vertex " + std::to_string(vertex) + " belongs to no triangle with an area");
+    }
+  }
+  return Status();
+}
+
+void ClothModelBuilder::CollectEdgeUses() {
+  for (size_t index = 0; index < mesh_.triangles.size(); ++index) {
+    for (int corner = 0; corner < 3; ++corner) {
+      const int from = mesh_.triangles[index][corner];
+      const int to = mesh_.triangles[index][(corner + 1) % 3];
+      const int p = model_.triangles_[index][static_cast<size_t>(corner)];
+      const int q = model_.triangles_[index][static_cast<size_t>((corner + 1) % 3)];
+      const int opposite = model_.triangles_[index][static_cast<size_t>((corner + 2) % 3)];
+      if (p == q) continue;  // Both ends sewn onto each other.
+      edge_uses_.push_back(
+          {std::min(p, q), std::max(p, q), opposite, static_cast<int>(index), (Rest(from) - Rest(to)).norm()});
+    }
+  }
+  std::sort(edge_uses_.begin(), edge_uses_.end(), [](const EdgeUse& a, const EdgeUse& b) {
+    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
+  });
+}
+
+template <size_t kCount>
+ClothChunk& ClothModelBuilder::ChunkOf(const std::array<int, kCount>& particles) {
+  const int chunk = chunk_of_particle_[static_cast<size_t>(particles[0])];
+  for (const int particle : particles) {
+    if (chunk_of_particle_[static_cast<size_t>(particle)] != chunk) return model_.border_;
+  }
+  return model_.chunks_[static_cast<size_t>(chunk)];
+}
+
+void ClothModelBuilder::MakeConstraints() {
+  using Spring = std::tuple<int, int, float, float>;
+  std::vector<std::vector<Spring>> springs(model_.chunks_.size() + 1);
+  for (size_t begin = 0; begin < edge_uses_.size();) {
+    size_t end = begin;
+    double area = 0.0;
+    double length = 0.0;
+    while (end < edge_uses_.size() && edge_uses_[end].low == edge_uses_[begin].low &&
+           edge_uses_[end].high == edge_uses_[begin].high) {
+      area += RestArea(edge_uses_[end].triangle);
+      length += edge_uses_[end].rest_length;
+      ++end;
+    }
+    length /= static_cast<double>(end - begin);
+    const std::array<int, 2> edge = {edge_uses_[begin].low, edge_uses_[begin].high};
+    model_.edges_.push_back(edge);
+    if (length > 0.0 && area > 0.0) {
+      const double compliance = length * length / (material_.stretch_stiffness * area);
+      const ClothChunk& chunk = ChunkOf(edge);
+      const size_t target =
+          &chunk == &model_.border_ ? model_.chunks_.size() : static_cast<size_t>(&chunk - model_.chunks_.data());
+      springs[target].emplace_back(edge[0], edge[1], static_cast<float>(length), static_cast<float>(compliance));
+    }
+    // A seam is sewn from two panels that each lie flat for themselves: no bending resistance across it.
+    if (end - begin == 2 && mesh_.triangles.size() > 1) AddBend(edge_uses_[begin], edge_uses_[begin + 1]);
+    begin = end;
+  }
+  for (size_t chunk = 0; chunk < model_.chunks_.size(); ++chunk) {
+    model_.chunks_[chunk].stretch = MakeBatches(springs[chunk], model_.particle_count() + static_cast<int>(chunk));
+  }
+  model_.border_.stretch =
+      MakeBatches(springs.back(), model_.particle_count() + static_cast<int>(model_.chunks_.size()));
+}
+
+void ClothModelBuilder::AddBend(const EdgeUse& first, const EdgeUse& second) {
+  const auto panel = [&](const EdgeUse& use) {
+    const int vertex = mesh_.triangles[static_cast<size_t>(use.triangle)][0];
+    return mesh_.panel_of_particle.empty() ? 0 : mesh_.panel_of_particle[static_cast<size_t>(vertex)];
+  };
+  if (panel(first) != panel(second) || !(material_.bending_stiffness > 0.0)) return;
+  const std::array<int, 4> particles = {first.low, first.high, first.opposite, second.opposite};
+  const auto rest_of = [&](const EdgeUse& use, int particle) {
+    for (const int vertex : mesh_.triangles[static_cast<size_t>(use.triangle)]) {
+      if (model_.particle_of_vertex_[static_cast<size_t>(vertex)] == particle) return Rest(vertex);
+    }
+    return Rest(mesh_.triangles[static_cast<size_t>(use.triangle)][0]);
+  };
+  const Eigen::Vector3d x0 = rest_of(first, first.low);
+  const Eigen::Vector3d x1 = rest_of(first, first.high);
+  const auto cotangent = [](const Eigen::Vector3d& at, const Eigen::Vector3d& to_a, const Eigen::Vector3d& to_b) {
+    const Eigen::Vector3d u = to_a - at;
+    const Eigen::Vector3d v = to_b - at;
+    return u.dot(v) / std::max(u.cross(v).norm(), 1e-12);
+  };
+  const Eigen::Vector3d x2 = rest_of(first, first.opposite);
+  const Eigen::Vector3d x3 = rest_of(second, second.opposite);
+  const double c01 = cotangent(x0, x1, x2);
+  const double c02 = cotangent(x0, x1, x3);
+  const double c03 = cotangent(x1, x0, x2);
+  const double c04 = cotangent(x1, x0, x3);
+  const std::array<double, 4> k = {c03 + c04, c01 + c02, -(c01 + c03), -(c02 + c04)};
+  const double area = RestArea(first.triangle) + RestArea(second.triangle);
+  if (!(area > 0.0)) return;
+  BendConstraint bend;
+  bend.particles = particles;
+  double weight = 0.0;
+  for (size_t index = 0; index < 4; ++index) {
+    bend.coefficients[index] = static_cast<float>(k[index]);
+    weight += k[index] * k[index] / model_.masses_[static_cast<size_t>(particles[index])];
+  }
+  bend.weight = static_cast<float>(weight);
+  bend.compliance = static_cast<float>(area / (3.0 * material_.bending_stiffness));
+  ChunkOf(particles).bend.push_back(bend);
+}
+
+// Packs springs, nearly in order, four at a time so that no two of the four share a particle; places left over
+// go to `idle`.
+std::vector<StretchBatch> ClothModelBuilder::MakeBatches(const std::vector<std::tuple<int, int, float, float>>& springs,
+                                                         int idle) {
+  constexpr size_t kOpenBatches = 16;
+  std::vector<StretchBatch> batches;
+  struct Open {
+    StretchBatch batch;
+    size_t filled = 0;
+  };
+  std::vector<Open> open;
+  const auto close = [&](size_t index) {
+    Open& full = open[index];
+    for (size_t lane = full.filled; lane < 4; ++lane) full.batch.a[lane] = full.batch.b[lane] = idle;
+    batches.push_back(full.batch);
+    open.erase(open.begin() + static_cast<std::ptrdiff_t>(index));
+  };
+  for (const auto& [a, b, rest_length, compliance] : springs) {
+    size_t index = 0;
+    for (; index < open.size(); ++index) {
+      bool shares = false;
+      for (size_t lane = 0; lane < open[index].filled; ++lane) {
+        const int other_a = open[index].batch.a[lane];
+        const int other_b = open[index].batch.b[lane];
+        shares = shares || a == other_a || a == other_b || b == other_a || b == other_b;
+      }
+      if (!shares) break;
+    }
+    if (index == open.size()) {
+      if (open.size() == kOpenBatches) {
+        close(0);
+        --index;
+      }
+      open.emplace_back();
+    }
+    Open& target = open[index];
+    target.batch.a[target.filled] = a;
+    target.batch.b[target.filled] = b;
+    target.batch.rest_length[target.filled] = rest_length;
+    target.batch.compliance[target.filled] = compliance;
+    if (++target.filled == 4) close(index);
+  }
+  while (!open.empty()) close(0);
+  return batches;
+}
+
+Result<ClothModel> ClothModel::Create(const ClothMesh& mesh, const ClothMaterial& material,
+                                      std::span<const SeamPair> welds) {
+  return ClothModelBuilder(mesh, material, welds).Build();
+}
+
+}  // namespace fitroom

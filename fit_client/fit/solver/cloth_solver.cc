@@ -1,0 +1,337 @@
+#include "fit_client/fit/solver/cloth_solver.h"
+
+#include <xmmintrin.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fitroom {
+namespace {
+
+constexpr float kTiny = 1e-12F;
+
+__m128 Load(const Float4& value) { return _mm_load_ps(&value.x); }
+void Store(Float4& target, __m128 value) { _mm_store_ps(&target.x, value); }
+
+template <int kLane>
+__m128 Broadcast(__m128 v) {
+  return _mm_shuffle_ps(v, v, _MM_SHUFFLE(kLane, kLane, kLane, kLane));
+}
+
+// Returns v with the fourth number set to zero.
+__m128 Xyz(__m128 v) {
+  const __m128 mask = _mm_castsi128_ps(_mm_set_epi32(0, -1, -1, -1));
+  return _mm_and_ps(v, mask);
+}
+
+// The scalar product of the first three numbers.
+float Dot3(__m128 a, __m128 b) {
+  const __m128 product = _mm_mul_ps(a, b);
+  const __m128 y = Broadcast<1>(product);
+  const __m128 z = Broadcast<2>(product);
+  return _mm_cvtss_f32(_mm_add_ss(_mm_add_ss(product, y), z));
+}
+
+Float4 ToFloat4(const Eigen::Vector3d& v, float w) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()), w};
+}
+
+Eigen::Vector3d ToVector(const Float4& v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+// Solves four springs that share no particle. `denominator` is 1 / (w_a + w_b + compliance / dt^2).
+void SolveStretchBatch(Float4* positions, const StretchBatch& batch, const Float4& denominator,
+                       __m128 compression_factor) {
+  __m128 p[4];
+  __m128 q[4];
+  __m128 d[4];
+  for (int lane = 0; lane < 4; ++lane) {
+    p[lane] = Load(positions[batch.a[static_cast<size_t>(lane)]]);
+    q[lane] = Load(positions[batch.b[static_cast<size_t>(lane)]]);
+    d[lane] = _mm_sub_ps(q[lane], p[lane]);
+  }
+  __m128 x = d[0];
+  __m128 y = d[1];
+  __m128 z = d[2];
+  __m128 w = d[3];
+  _MM_TRANSPOSE4_PS(x, y, z, w);
+  const __m128 squared =
+      _mm_add_ps(_mm_add_ps(_mm_mul_ps(x, x), _mm_mul_ps(y, y)), _mm_add_ps(_mm_mul_ps(z, z), _mm_set1_ps(kTiny)));
+  const __m128 length = _mm_sqrt_ps(squared);
+  __m128 excess = _mm_sub_ps(length, _mm_load_ps(batch.rest_length.data()));
+  const __m128 shortened = _mm_cmplt_ps(excess, _mm_setzero_ps());
+  const __m128 factor =
+      _mm_or_ps(_mm_and_ps(shortened, compression_factor), _mm_andnot_ps(shortened, _mm_set1_ps(1.0F)));
+  excess = _mm_mul_ps(excess, factor);
+  const __m128 scale = _mm_div_ps(_mm_mul_ps(excess, Load(denominator)), length);
+  const __m128 s[4] = {Broadcast<0>(scale), Broadcast<1>(scale), Broadcast<2>(scale), Broadcast<3>(scale)};
+  for (int lane = 0; lane < 4; ++lane) {
+    // The fourth number of d is the difference of inverse masses: cut it off, so that masses stay.
+    const __m128 step = _mm_mul_ps(Xyz(d[lane]), s[lane]);
+    Store(positions[batch.a[static_cast<size_t>(lane)]], _mm_add_ps(p[lane], _mm_mul_ps(step, Broadcast<3>(p[lane]))));
+    Store(positions[batch.b[static_cast<size_t>(lane)]], _mm_sub_ps(q[lane], _mm_mul_ps(step, Broadcast<3>(q[lane]))));
+  }
+}
+
+void SolveBend(Float4* positions, const BendConstraint& bend, float denominator) {
+  __m128 x[4];
+  __m128 c[4];
+  for (int corner = 0; corner < 4; ++corner) {
+    x[corner] = Load(positions[bend.particles[static_cast<size_t>(corner)]]);
+    c[corner] = _mm_set1_ps(bend.coefficients[static_cast<size_t>(corner)]);
+  }
+  const __m128 sum = _mm_add_ps(_mm_add_ps(_mm_mul_ps(x[0], c[0]), _mm_mul_ps(x[1], c[1])),
+                                _mm_add_ps(_mm_mul_ps(x[2], c[2]), _mm_mul_ps(x[3], c[3])));
+  const __m128 step = _mm_mul_ps(Xyz(sum), _mm_set1_ps(denominator));
+  for (int corner = 0; corner < 4; ++corner) {
+    const __m128 share = _mm_mul_ps(c[corner], Broadcast<3>(x[corner]));
+    Store(positions[bend.particles[static_cast<size_t>(corner)]], _mm_sub_ps(x[corner], _mm_mul_ps(step, share)));
+  }
+}
+
+}  // namespace
+
+ClothSolver::ClothSolver(const ClothModel& model, const SignedDistanceField& body, Executor& executor)
+    : model_(model), body_(body), executor_(executor) {
+  for (const double mass : model.masses()) inverse_masses_.push_back(static_cast<float>(1.0 / mass));
+  inverse_masses_.resize(inverse_masses_.size() + static_cast<size_t>(model.idle_particle_count()), 0.0F);
+  SetMotion(MotionOptions());
+}
+
+ClothState ClothSolver::MakeState(std::span<const Eigen::Vector3d> positions) const {
+  FR_CHECK(static_cast<int>(positions.size()) == model_.particle_count());
+  ClothState state;
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& position : positions) box.extend(position);
+  state.centre = box.center();
+  const size_t count = inverse_masses_.size();
+  state.positions.resize(count);
+  for (size_t particle = 0; particle < positions.size(); ++particle) {
+    state.positions[particle] = ToFloat4(positions[particle] - state.centre, inverse_masses_[particle]);
+  }
+  state.previous = state.positions;
+  state.velocities.resize(count);
+  state.contacts.resize(count);
+  state.extra_offset.resize(count, 0.0F);
+  for (size_t particle = 0; particle < positions.size(); ++particle) LookAtBody(state, particle);
+  return state;
+}
+
+void ClothSolver::SetMotion(const MotionOptions& motion) {
+  motion_ = motion;
+  denominators_.clear();
+  for (const ClothChunk& chunk : model_.chunks()) denominators_.push_back(MakeDenominators(chunk));
+  denominators_.push_back(MakeDenominators(model_.border()));
+}
+
+ClothSolver::Denominators ClothSolver::MakeDenominators(const ClothChunk& chunk) const {
+  Denominators denominators;
+  const float per_squared_step = static_cast<float>(1.0 / (motion_.time_step * motion_.time_step));
+  for (const StretchBatch& batch : chunk.stretch) {
+    Float4 lanes;
+    float* const lane_value = &lanes.x;
+    for (size_t lane = 0; lane < 4; ++lane) {
+      const float weight = inverse_masses_[static_cast<size_t>(batch.a[lane])] +
+                           inverse_masses_[static_cast<size_t>(batch.b[lane])] +
+                           batch.compliance[lane] * per_squared_step;
+      lane_value[lane] = weight > 0.0F ? 1.0F / weight : 0.0F;
+    }
+    denominators.stretch.push_back(lanes);
+  }
+  for (const BendConstraint& bend : chunk.bend) {
+    denominators.bend.push_back(1.0F / (bend.weight + bend.compliance * per_squared_step));
+  }
+  return denominators;
+}
+
+void ClothSolver::Advance(ClothState& state, int substep_count, std::span<const SeamPull> pulls, double closing_speed) {
+  const std::span<const ClothChunk> chunks = model_.chunks();
+  const int chunk_count = static_cast<int>(chunks.size());
+  for (int substep = 0; substep < substep_count; ++substep) {
+    executor_.Run(chunk_count, [&](int task) {
+      const size_t chunk = static_cast<size_t>(task);
+      if (substep > 0) SolveContacts(state, chunks[chunk]);
+      Integrate(state, chunks[chunk]);
+      SolveConstraints(state, chunks[chunk], denominators_[chunk]);
+    });
+    SolveConstraints(state, model_.border(), denominators_.back());
+    SolvePulls(state, pulls, closing_speed);
+  }
+  executor_.Run(chunk_count, [&](int task) { SolveContacts(state, chunks[static_cast<size_t>(task)]); });
+}
+
+void ClothSolver::Integrate(ClothState& state, const ClothChunk& chunk) const {
+  const float step = static_cast<float>(motion_.time_step);
+  const __m128 keep = _mm_set1_ps(static_cast<float>(std::exp(-motion_.drag * motion_.time_step)));
+  const __m128 gain = _mm_set1_ps(static_cast<float>(-std::expm1(-motion_.drag * motion_.time_step)));
+  const Eigen::Vector3d gain_of_gravity = motion_.gravity * motion_.time_step;
+  const Float4 fall = ToFloat4(gain_of_gravity, 0.0F);
+  const float largest = static_cast<float>(motion_.largest_step);
+  const size_t begin = static_cast<size_t>(chunk.first_particle);
+  const size_t end = begin + static_cast<size_t>(chunk.particle_count);
+  for (size_t particle = begin; particle < end; ++particle) {
+    __m128 velocity = _mm_add_ps(_mm_mul_ps(Load(state.velocities[particle]), keep), Load(fall));
+    if (!state.wind.empty()) velocity = _mm_add_ps(velocity, _mm_mul_ps(Load(state.wind[particle]), gain));
+    __m128 way = _mm_mul_ps(Xyz(velocity), _mm_set1_ps(step));
+    const float squared = Dot3(way, way);
+    if (squared > largest * largest) way = _mm_mul_ps(way, _mm_set1_ps(largest / std::sqrt(squared)));
+    const __m128 position = Load(state.positions[particle]);
+    Store(state.previous[particle], position);
+    Store(state.positions[particle], _mm_add_ps(position, way));
+  }
+}
+
+void ClothSolver::SolveConstraints(ClothState& state, const ClothChunk& chunk, const Denominators& denominators) const {
+  Float4* const positions = state.positions.data();
+  const __m128 compression = _mm_set1_ps(static_cast<float>(motion_.compression_factor));
+  for (size_t index = 0; index < chunk.bend.size(); ++index) {
+    SolveBend(positions, chunk.bend[index], denominators.bend[index]);
+  }
+  for (size_t index = 0; index < chunk.stretch.size(); ++index) {
+    SolveStretchBatch(positions, chunk.stretch[index], denominators.stretch[index], compression);
+  }
+}
+
+// Draws the two particles of each pair together, by equal and opposite impulses, no faster than the closing speed.
+void ClothSolver::SolvePulls(ClothState& state, std::span<const SeamPull> pulls, double closing_speed) const {
+  const float largest = static_cast<float>(closing_speed * motion_.time_step);
+  for (const SeamPull& pull : pulls) {
+    Float4& a = state.positions[static_cast<size_t>(pull.a)];
+    Float4& b = state.positions[static_cast<size_t>(pull.b)];
+    const __m128 at_a = Load(a);
+    const __m128 at_b = Load(b);
+    const __m128 way = Xyz(_mm_sub_ps(at_b, at_a));
+    const float length = std::sqrt(Dot3(way, way));
+    if (length < 1e-9F) continue;
+    const float step = std::min(length, largest) / length;
+    const float share = a.w / (a.w + b.w);
+    __m128 step_a = _mm_mul_ps(way, _mm_set1_ps(step * share));
+    __m128 step_b = _mm_mul_ps(way, _mm_set1_ps(-step * (1.0F - share)));
+    if (pull.around_body) {
+      // Take out the part that points into the body and keep the length.
+      const auto along_surface = [&](__m128 wanted, size_t particle) {
+        const __m128 normal = Xyz(Load(state.contacts[particle].normal));
+        const float inwards = std::min(0.0F, Dot3(wanted, normal));
+        const __m128 tangent = _mm_sub_ps(wanted, _mm_mul_ps(normal, _mm_set1_ps(inwards)));
+        const float tangent_length = std::sqrt(Dot3(tangent, tangent));
+        const float wanted_length = std::sqrt(Dot3(wanted, wanted));
+        return tangent_length > 0.05F * wanted_length ? _mm_mul_ps(tangent, _mm_set1_ps(wanted_length / tangent_length))
+                                                      : tangent;
+      };
+      step_a = along_surface(step_a, static_cast<size_t>(pull.a));
+      step_b = along_surface(step_b, static_cast<size_t>(pull.b));
+    }
+    Store(a, _mm_add_ps(at_a, step_a));
+    Store(b, _mm_add_ps(at_b, step_b));
+  }
+}
+
+void ClothSolver::LookAtBody(ClothState& state, size_t particle) const {
+  const Float4 at = state.positions[particle];
+  const SignedDistanceField::Sample sample = body_.Query(ToVector(at) + state.centre);
+  const double length = sample.gradient.norm();
+  const Eigen::Vector3d normal = length > 1e-6 ? (sample.gradient / length).eval() : Eigen::Vector3d::UnitY();
+  ContactPlane& contact = state.contacts[particle];
+  contact.normal = ToFloat4(normal, static_cast<float>(normal.dot(ToVector(at)) - sample.distance));
+  // A plane stands for the surface while the particle has moved little; far away half the distance is safe.
+  const double clear = std::abs(sample.distance) - motion_.contact_offset;
+  const double way = std::max(0.0015, 0.4 * clear);
+  contact.reference = at;
+  contact.reference.w = static_cast<float>(way * way);
+}
+
+void ClothSolver::SolveContacts(ClothState& state, const ClothChunk& chunk) const {
+  const float per_step = static_cast<float>(1.0 / motion_.time_step);
+  const float friction = static_cast<float>(motion_.friction_coefficient);
+  const float offset = static_cast<float>(motion_.contact_offset);
+  const size_t begin = static_cast<size_t>(chunk.first_particle);
+  const size_t end = begin + static_cast<size_t>(chunk.particle_count);
+  for (size_t particle = begin; particle < end; ++particle) {
+    __m128 position = Load(state.positions[particle]);
+    const __m128 moved = _mm_sub_ps(position, Load(state.contacts[particle].reference));
+    if (Dot3(moved, moved) > state.contacts[particle].reference.w) LookAtBody(state, particle);
+    const __m128 plane = Load(state.contacts[particle].normal);
+    const __m128 normal = Xyz(plane);
+    const float depth =
+        offset + state.extra_offset[particle] + state.contacts[particle].normal.w - Dot3(normal, position);
+    const __m128 previous = Load(state.previous[particle]);
+    if (depth <= 0.0F) {
+      Store(state.velocities[particle], _mm_mul_ps(Xyz(_mm_sub_ps(position, previous)), _mm_set1_ps(per_step)));
+      continue;
+    }
+    // Never by more than a few millimetres a step: a particle that starts inside walks out instead of jumping.
+    const float push = std::min(depth, static_cast<float>(motion_.largest_step));
+    position = _mm_add_ps(position, _mm_mul_ps(normal, _mm_set1_ps(push)));
+    const __m128 way = Xyz(_mm_sub_ps(position, previous));
+    const float normal_way = Dot3(way, normal);
+    __m128 tangent = _mm_sub_ps(way, _mm_mul_ps(normal, _mm_set1_ps(normal_way)));
+    const float tangent_way = std::sqrt(Dot3(tangent, tangent));
+    const float held = friction * push;
+    const float kept = tangent_way > held ? 1.0F - held / tangent_way : 0.0F;
+    position = _mm_sub_ps(position, _mm_mul_ps(tangent, _mm_set1_ps(1.0F - kept)));
+    tangent = _mm_mul_ps(tangent, _mm_set1_ps(kept));
+    Store(state.positions[particle], position);
+    Store(state.velocities[particle], _mm_mul_ps(tangent, _mm_set1_ps(per_step)));
+  }
+}
+
+int ClothSolver::RaiseOffsets(ClothState& state, double clearance) const {
+  constexpr size_t kSamplesPerTask = 2048;
+  const auto deficit_at = [&](const Eigen::Vector3d& point) {
+    return static_cast<float>(std::max(0.0, clearance - body_.Distance(point)));
+  };
+  const auto is_near = [&](int particle) {
+    const Float4& at = state.positions[static_cast<size_t>(particle)];
+    const Float4& plane = state.contacts[static_cast<size_t>(particle)].normal;
+    return at.x * plane.x + at.y * plane.y + at.z * plane.z - plane.w < 0.03F;
+  };
+  const auto place = [&](int particle) { return ToVector(state.positions[static_cast<size_t>(particle)]); };
+  const std::span<const std::array<int, 2>> edges = model_.edges();
+  const std::span<const std::array<int, 3>> triangles = model_.triangles();
+  std::vector<float> deficits(edges.size() + triangles.size(), 0.0F);
+  executor_.Run(static_cast<int>((deficits.size() + kSamplesPerTask - 1) / kSamplesPerTask), [&](int task) {
+    const size_t begin = static_cast<size_t>(task) * kSamplesPerTask;
+    for (size_t index = begin; index < std::min(begin + kSamplesPerTask, deficits.size()); ++index) {
+      if (index < edges.size()) {
+        const auto& [a, b] = edges[index];
+        if (!is_near(a) && !is_near(b)) continue;
+        deficits[index] = deficit_at(0.5 * (place(a) + place(b)) + state.centre);
+      } else {
+        const auto& [a, b, c] = triangles[index - edges.size()];
+        if (!is_near(a) && !is_near(b) && !is_near(c)) continue;
+        deficits[index] = deficit_at((place(a) + place(b) + place(c)) / 3.0 + state.centre);
+      }
+    }
+  });
+  constexpr float kLargestExtraOffset = 0.008F;
+  int count = 0;
+  std::vector<float> raise(state.extra_offset.size(), 0.0F);
+  const auto raise_at = [&](int particle, float deficit) {
+    raise[static_cast<size_t>(particle)] = std::max(raise[static_cast<size_t>(particle)], deficit);
+  };
+  for (size_t index = 0; index < deficits.size(); ++index) {
+    if (deficits[index] <= 0.0F) continue;
+    ++count;
+    if (index < edges.size()) {
+      for (const int particle : edges[index]) raise_at(particle, deficits[index]);
+    } else {
+      for (const int particle : triangles[index - edges.size()]) raise_at(particle, deficits[index]);
+    }
+  }
+  for (size_t particle = 0; particle < raise.size(); ++particle) {
+    state.extra_offset[particle] = std::min(kLargestExtraOffset, state.extra_offset[particle] + raise[particle]);
+  }
+  return count;
+}
+
+std::vector<Eigen::Vector3d> ClothSolver::Positions(const ClothState& state, int particle_count) {
+  std::vector<Eigen::Vector3d> positions;
+  positions.reserve(static_cast<size_t>(particle_count));
+  for (size_t particle = 0; particle < static_cast<size_t>(particle_count); ++particle) {
+    positions.push_back(ToVector(state.positions[particle]) + state.centre);
+  }
+  return positions;
+}
+
+}  // namespace fitroom

@@ -1,0 +1,379 @@
+#include "fit_client/fit/solver/drape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+#include <utility>
+
+#include "fit_client/fit/solver/cloth_solver.h"
+#include "fit_client/fit/solver/drape_measures.h"
+
+namespace fitroom {
+namespace {
+
+// Steps and rates of the stages. Tuned on T-shirts of 2 to 0.5 cm pitch; the comments say what breaks outside.
+constexpr double kMergingStep = 5e-4;      // (unit: second). Twice as long: springs stretch by over 10 % while closing.
+constexpr double kMergingDrag = 25.0;      // (unit: 1/s). Below 10 panels overshoot; above 60 merging slows down.
+constexpr double kApproachSpeed = 1.2;     // Of whole panels towards each other (unit: m/s).
+constexpr double kApproachRate = 12.0;     // The speed falls to gap times this as the seams close (unit: 1/s).
+constexpr int kMergingCheckInterval = 16;  // Substeps between looks at the seams.
+constexpr int kPatience = 40;              // Looks without progress before merging is given up.
+constexpr double kProgress = 2e-4;         // Less than this in `kPatience` looks is no progress (unit: metre).
+constexpr double kDrapingStep = 2.5e-4;    // (unit: second). Longer: the cloth's own weight stretches it by over 5 %.
+constexpr double kDrapingDrag = 6.0;       // (unit: 1/s). About critical for a hem that swings on 0.6 m of cloth.
+constexpr int kOffsetInterval = 64;        // Substeps between looks at edge middles and triangle centres.
+constexpr int kRestWindows = 3;            // Rest must hold for this many sixtieths of a second.
+
+// Runs the stages of one call of Drape().
+class DrapeRun {
+ public:
+  DrapeRun(const ClothMesh& mesh, std::span<const Eigen::Vector3d> start, const SignedDistanceField& body,
+           const DrapeOptions& options, Executor& executor, const DrapeObserver& observer)
+      : mesh_(mesh),
+        body_(body),
+        options_(options),
+        executor_(executor),
+        observer_(observer),
+        positions_(start.begin(), start.end()) {}
+
+  Result<DrapeResult> Run() {
+    Observe(DrapeStage::kStart, 0.0);
+    FR_RETURN_IF_ERROR(Merge());
+    Observe(DrapeStage::kStitched, 0.3);
+    FR_RETURN_IF_ERROR(LetHang());
+    Conclude();
+    Observe(DrapeStage::kFinished, 1.0);
+    return DrapeResult{std::move(positions_), std::move(report_)};
+  }
+
+ private:
+  Status Merge();
+  Status LetHang();
+  void Conclude();
+
+  // Says whether the cloth is at rest, from how far particles went in a sixtieth of a second; fills the report.
+  bool IsAtRest(const std::vector<Eigen::Vector3d>& before, const std::vector<Eigen::Vector3d>& after, double seconds,
+                const ClothState& state);
+  bool TouchesBody();
+  Status CheckFinite(const ClothState& state) const;
+  void TakePositions(const ClothModel& model, const ClothState& state);
+  std::vector<Eigen::Vector3d> ParticlePositions(const ClothModel& model) const;
+  std::vector<double> SeamGaps() const;
+  std::vector<SeamPull> MakePulls(const ClothModel& model, std::span<const SeamPair> pairs) const;
+  bool PassesThroughBody(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
+  void SetApproachWind(const ClothModel& model, double mean_gap, ClothState& state) const;
+  void Observe(DrapeStage stage, double progress) {
+    if (observer_) observer_({stage, substep_, progress, positions_});
+  }
+
+  const ClothMesh& mesh_;
+  const SignedDistanceField& body_;
+  const DrapeOptions& options_;
+  Executor& executor_;
+  const DrapeObserver& observer_;
+  std::vector<Eigen::Vector3d> positions_;  // One a vertex of the mesh.
+  std::vector<SeamPair> open_seams_;
+  int substep_ = 0;
+  DrapeReport report_;
+};
+
+void DrapeRun::TakePositions(const ClothModel& model, const ClothState& state) {
+  const std::vector<Eigen::Vector3d> particles = ClothSolver::Positions(state, model.particle_count());
+  for (size_t vertex = 0; vertex < positions_.size(); ++vertex) {
+    positions_[vertex] = particles[static_cast<size_t>(model.particle_of_vertex()[vertex])];
+  }
+}
+
+// The mean of the vertices that make up a particle: where sewn partners meet.
+std::vector<Eigen::Vector3d> DrapeRun::ParticlePositions(const ClothModel& model) const {
+  std::vector<Eigen::Vector3d> sums(static_cast<size_t>(model.particle_count()), Eigen::Vector3d::Zero());
+  std::vector<int> counts(sums.size(), 0);
+  for (size_t vertex = 0; vertex < positions_.size(); ++vertex) {
+    const size_t particle = static_cast<size_t>(model.particle_of_vertex()[vertex]);
+    sums[particle] += positions_[vertex];
+    ++counts[particle];
+  }
+  for (size_t particle = 0; particle < sums.size(); ++particle) sums[particle] /= counts[particle];
+  return sums;
+}
+
+std::vector<double> DrapeRun::SeamGaps() const {
+  std::vector<double> gaps;
+  for (const SeamPair& pair : mesh_.seams) {
+    gaps.push_back((positions_[static_cast<size_t>(pair.a)] - positions_[static_cast<size_t>(pair.b)]).norm());
+  }
+  return gaps;
+}
+
+bool DrapeRun::PassesThroughBody(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
+  for (const double t : {0.25, 0.5, 0.75}) {
+    if (body_.Distance(a + (b - a) * t) < -0.002) return true;
+  }
+  return false;
+}
+
+std::vector<SeamPull> DrapeRun::MakePulls(const ClothModel& model, std::span<const SeamPair> pairs) const {
+  std::vector<SeamPull> pulls;
+  for (const SeamPair& pair : pairs) {
+    const Eigen::Vector3d& a = positions_[static_cast<size_t>(pair.a)];
+    const Eigen::Vector3d& b = positions_[static_cast<size_t>(pair.b)];
+    const int particle_a = model.particle_of_vertex()[static_cast<size_t>(pair.a)];
+    const int particle_b = model.particle_of_vertex()[static_cast<size_t>(pair.b)];
+    if (particle_a != particle_b) pulls.push_back({particle_a, particle_b, PassesThroughBody(a, b)});
+  }
+  return pulls;
+}
+
+// Whole panels move towards their partners, like someone laying them on the body, so that the outline does not have to
+// drag them there. The speed falls with the gap that is left.
+void DrapeRun::SetApproachWind(const ClothModel& model, double mean_gap, ClothState& state) const {
+  int panel_count = 1;
+  for (const int panel : mesh_.panel_of_particle) panel_count = std::max(panel_count, panel + 1);
+  std::vector<Eigen::Vector3d> way(static_cast<size_t>(panel_count), Eigen::Vector3d::Zero());
+  const auto panel_of = [&](int vertex) {
+    return mesh_.panel_of_particle.empty() ? size_t{0}
+                                           : static_cast<size_t>(mesh_.panel_of_particle[static_cast<size_t>(vertex)]);
+  };
+  for (const SeamPair& pair : mesh_.seams) {
+    const Eigen::Vector3d to_b = positions_[static_cast<size_t>(pair.b)] - positions_[static_cast<size_t>(pair.a)];
+    way[panel_of(pair.a)] += to_b;
+    way[panel_of(pair.b)] -= to_b;
+  }
+  const double speed = std::min(kApproachSpeed, kApproachRate * mean_gap);
+  state.wind.assign(state.positions.size(), Float4());
+  for (size_t vertex = 0; vertex < positions_.size(); ++vertex) {
+    const Eigen::Vector3d& direction = way[panel_of(static_cast<int>(vertex))];
+    if (direction.norm() < 1e-9) continue;
+    const Eigen::Vector3f wind = (direction.normalized() * speed).cast<float>();
+    state.wind[static_cast<size_t>(model.particle_of_vertex()[vertex])] = {wind.x(), wind.y(), wind.z(), 0.0F};
+  }
+}
+
+Status DrapeRun::CheckFinite(const ClothState& state) const {
+  for (const Float4& position : state.positions) {
+    if (!std::isfinite(position.x + position.y + position.z)) {
+      return Internal("CLOTH_STATE_NOT_FINITE",
+                      "the cloth's state stopped being finite after " + std::to_string(substep_) + " substeps");
+    }
+  }
+  return Status();
+}
+
+Status DrapeRun::Merge() {
+  FR_ASSIGN_OR_RETURN(const ClothModel model, ClothModel::Create(mesh_, options_.material, {}));
+  ClothSolver solver(model, body_, executor_);
+  MotionOptions motion;
+  motion.time_step = kMergingStep;
+  motion.gravity.setZero();
+  motion.drag = kMergingDrag;
+  motion.friction_coefficient = options_.stitching_friction_coefficient;
+  motion.contact_offset = options_.contact_offset;
+  solver.SetMotion(motion);
+  ClothState state = solver.MakeState(ParticlePositions(model));
+
+  report_.seam_pair_count = static_cast<int>(mesh_.seams.size());
+  double best = 1e9;
+  int looks_since_progress = 0;
+  std::vector<double> gaps = SeamGaps();
+  while (!gaps.empty()) {
+    const double mean = std::accumulate(gaps.begin(), gaps.end(), 0.0) / static_cast<double>(gaps.size());
+    const double largest = *std::max_element(gaps.begin(), gaps.end());
+    if (largest <= options_.closed_gap || report_.merging_substeps >= options_.merging_substep_limit) break;
+    if (largest + mean < best - kProgress) {
+      best = largest + mean;
+      looks_since_progress = 0;
+    } else if (++looks_since_progress >= kPatience) {
+      break;
+    }
+    SetApproachWind(model, mean, state);
+    solver.Advance(state, kMergingCheckInterval, MakePulls(model, mesh_.seams), options_.closing_speed);
+    report_.merging_substeps += kMergingCheckInterval;
+    substep_ += kMergingCheckInterval;
+    FR_RETURN_IF_ERROR(CheckFinite(state));
+    TakePositions(model, state);
+    gaps = SeamGaps();
+    if (report_.merging_substeps % (kMergingCheckInterval * 4) == 0) {
+      solver.RaiseOffsets(state, options_.sample_clearance);
+      Observe(DrapeStage::kMerging, 0.3 * report_.merging_substeps / options_.merging_substep_limit);
+    }
+  }
+  for (size_t index = 0; index < gaps.size(); ++index) {
+    if (gaps[index] > options_.closed_gap) open_seams_.push_back(mesh_.seams[index]);
+  }
+  report_.open_seam_count = static_cast<int>(open_seams_.size());
+  if (!gaps.empty()) {
+    report_.seam_gap_mean = std::accumulate(gaps.begin(), gaps.end(), 0.0) / static_cast<double>(gaps.size());
+    report_.seam_gap_p95 = Percentile(gaps, 0.95);
+    report_.seam_gap_max = Percentile(gaps, 1.0);
+  }
+  return Status();
+}
+
+bool DrapeRun::TouchesBody() {
+  report_.touching_distance_max = 0.0;
+  for (const int vertex : options_.touching_vertices) {
+    report_.touching_distance_max =
+        std::max(report_.touching_distance_max, body_.Distance(positions_[static_cast<size_t>(vertex)]));
+  }
+  report_.touching_condition_met = report_.touching_distance_max <= options_.touching_distance;
+  return report_.touching_condition_met;
+}
+
+bool DrapeRun::IsAtRest(const std::vector<Eigen::Vector3d>& before, const std::vector<Eigen::Vector3d>& after,
+                        double seconds, const ClothState& state) {
+  std::vector<double> speeds;
+  size_t slow = 0;
+  for (size_t particle = 0; particle < after.size(); ++particle) {
+    const Float4& v = state.velocities[particle];
+    const double momentary = std::sqrt(static_cast<double>(v.x * v.x + v.y * v.y + v.z * v.z));
+    const double mean = (after[particle] - before[particle]).norm() / seconds;
+    speeds.push_back(std::max(momentary, mean));
+    if (mean < options_.rest_speed) ++slow;
+  }
+  report_.share_at_rest = static_cast<double>(slow) / static_cast<double>(speeds.size());
+  report_.speed_p99 = Percentile(speeds, 0.99);
+  report_.speed_max = Percentile(speeds, 1.0);
+  return report_.share_at_rest >= options_.rest_share && report_.speed_p99 < options_.rest_speed_of_99_percent;
+}
+
+Status DrapeRun::LetHang() {
+  std::vector<SeamPair> welds;
+  for (const SeamPair& pair : mesh_.seams) {
+    const bool is_open = std::any_of(open_seams_.begin(), open_seams_.end(),
+                                     [&](const SeamPair& open) { return open.a == pair.a && open.b == pair.b; });
+    if (!is_open) welds.push_back(pair);
+  }
+  FR_ASSIGN_OR_RETURN(const ClothModel model, ClothModel::Create(mesh_, options_.material, welds));
+  ClothSolver solver(model, body_, executor_);
+  MotionOptions motion;
+  motion.time_step = kDrapingStep;
+  motion.gravity = options_.gravity;
+  motion.drag = kDrapingDrag;
+  motion.friction_coefficient = options_.friction_coefficient;
+  motion.contact_offset = options_.contact_offset;
+  solver.SetMotion(motion);
+  ClothState state = solver.MakeState(ParticlePositions(model));
+  TakePositions(model, state);
+
+  const int window = static_cast<int>(std::lround(1.0 / (60.0 * kDrapingStep)));
+  int windows_at_rest = 0;
+  int samples_too_close = 0;
+  std::vector<Eigen::Vector3d> before = ClothSolver::Positions(state, model.particle_count());
+  while (report_.draping_substeps < options_.draping_substep_limit) {
+    solver.Advance(state, window, MakePulls(model, open_seams_), 0.1 * options_.closing_speed);
+    report_.draping_substeps += window;
+    substep_ += window;
+    FR_RETURN_IF_ERROR(CheckFinite(state));
+    const std::vector<Eigen::Vector3d> after = ClothSolver::Positions(state, model.particle_count());
+    TakePositions(model, state);
+    const bool at_rest = IsAtRest(before, after, window * kDrapingStep, state) && TouchesBody();
+    windows_at_rest = at_rest ? windows_at_rest + 1 : 0;
+    before = after;
+    samples_too_close = solver.RaiseOffsets(state, options_.sample_clearance);
+    if (windows_at_rest >= kRestWindows && samples_too_close == 0) break;
+    Observe(DrapeStage::kDraping, 0.3 + 0.7 * report_.draping_substeps / options_.draping_substep_limit);
+  }
+  TouchesBody();
+  report_.simulated_seconds = report_.draping_substeps * kDrapingStep;
+  report_.outcome = !open_seams_.empty()              ? DrapeOutcome::kSeamsOpen
+                    : windows_at_rest >= kRestWindows ? DrapeOutcome::kAtRest
+                                                      : DrapeOutcome::kNotAtRest;
+  MeasureStrain(model, ParticlePositions(model), mesh_, report_);
+  MeasurePenetration(model, ParticlePositions(model), body_, executor_, report_);
+  report_.self_crossing_count = CountSelfCrossings(model, ParticlePositions(model), executor_);
+  return Status();
+}
+
+void DrapeRun::Conclude() {
+  const std::vector<double> gaps = SeamGaps();
+  char text[200] = "";
+  if (report_.outcome == DrapeOutcome::kSeamsOpen) {
+    size_t worst = 0;
+    for (size_t index = 0; index < gaps.size(); ++index) {
+      if (gaps[index] > gaps[worst]) worst = index;
+    }
+    const Eigen::Vector3d& place = positions_[static_cast<size_t>(mesh_.seams[worst].a)];
+    std::snprintf(text, sizeof(text),
+                  "does not close: a gap of %.1f mm is left at (%.3f, %.3f, %.3f) m; %d of %d pairs open",
+                  gaps[worst] * 1e3, place.x(), place.y(), place.z(), report_.open_seam_count, report_.seam_pair_count);
+  } else if (report_.outcome == DrapeOutcome::kAtRest) {
+    std::snprintf(text, sizeof(text), "at rest: %.1f %% of the particles are slower than %.1f mm/s",
+                  report_.share_at_rest * 100.0, options_.rest_speed * 1e3);
+  } else {
+    std::snprintf(text, sizeof(text), "not at rest after %d substeps: 99 %% are slower than %.1f mm/s",
+                  report_.draping_substeps, report_.speed_p99 * 1e3);
+  }
+  report_.finishing_reason = text;
+  report_.final_seam_gap_max = gaps.empty() ? 0.0 : Percentile(gaps, 1.0);
+}
+
+Status CheckInput(const ClothMesh& mesh, std::span<const Eigen::Vector3d> start, const DrapeOptions& options) {
+  const int vertex_count = static_cast<int>(mesh.rest_positions.size());
+  if (start.size() != mesh.rest_positions.size()) {
+    return InvalidArgument("START_SIZE_MISMATCH", "there must be one start position a vertex of the cloth");
+  }
+  for (size_t vertex = 0; vertex < start.size(); ++vertex) {
+    if (!start[vertex].allFinite() || start[vertex].cwiseAbs().maxCoeff() > 100.0) {
+      return InvalidArgument("START_NOT_FINITE", "the start position of cloth vertex " + std::to_string(vertex) +
+                                                     " is not finite or further than 100 m from the origin");
+    }
+  }
+  if (!mesh.panel_of_particle.empty() && mesh.panel_of_particle.size() != start.size()) {
+    return InvalidArgument("PANEL_SIZE_MISMATCH", "there must be one panel number a vertex of the cloth, or none");
+  }
+  for (const int panel : mesh.panel_of_particle) {
+    if (panel < 0 || panel > 1000) return InvalidArgument("PANEL_OUT_OF_RANGE", "a panel number is out of range");
+  }
+  for (const SeamPair& pair : mesh.seams) {
+    if (std::min(pair.a, pair.b) < 0 || std::max(pair.a, pair.b) >= vertex_count) {
+      return InvalidArgument("SEAM_INDEX_OUT_OF_RANGE", "a seam pair names a vertex that does not exist");
+    }
+  }
+  for (const int vertex : options.touching_vertices) {
+    if (vertex < 0 || vertex >= vertex_count) {
+      return InvalidArgument("VERTEX_OUT_OF_RANGE", "a touching vertex does not exist");
+    }
+  }
+  if (!options.gravity.allFinite()) return InvalidArgument("GRAVITY_NOT_FINITE", "gravity is not finite");
+  return Status();
+}
+
+}  // namespace
+
+std::string_view DrapeStageName(DrapeStage stage) {
+  switch (stage) {
+    case DrapeStage::kStart:
+      return "start";
+    case DrapeStage::kMerging:
+      return "merging";
+    case DrapeStage::kStitched:
+      return "stitched";
+    case DrapeStage::kDraping:
+      return "draping";
+    case DrapeStage::kFinished:
+      return "finished";
+  }
+  return "";
+}
+
+std::string_view DrapeOutcomeName(DrapeOutcome outcome) {
+  switch (outcome) {
+    case DrapeOutcome::kAtRest:
+      return "at_rest";
+    case DrapeOutcome::kSeamsOpen:
+      return "seams_open";
+    case DrapeOutcome::kNotAtRest:
+      return "not_at_rest";
+  }
+  return "";
+}
+
+Result<DrapeResult> Drape(const ClothMesh& mesh, std::span<const Eigen::Vector3d> start_positions,
+                          const SignedDistanceField& body, const DrapeOptions& options, Executor& executor,
+                          const DrapeObserver& observer) {
+  FR_RETURN_IF_ERROR(CheckInput(mesh, start_positions, options));
+  return DrapeRun(mesh, start_positions, body, options, executor, observer).Run();
+}
+
+}  // namespace fitroom

@@ -1,0 +1,125 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "common/base/executor.h"
+#include "common/base/status.h"
+#include "fit_client/fit/cloth_mesh.h"
+#include "fit_client/fit/collision/signed_distance_field.h"
+#include "fit_client/fit/solver/cloth_model.h"
+
+namespace fitroom {
+
+// The stages of dressing, in order.
+enum class DrapeStage {
+  kStart,     // Panels at their start positions.
+  kMerging,   // Seam pairs are being drawn together; no gravity.
+  kStitched,  // Closed pairs have just been welded.
+  kDraping,   // Gravity pulls the garment onto the body.
+  kFinished,  // At rest, or out of steps.
+};
+
+// "start", "merging", "stitched", "draping", "finished".
+std::string_view DrapeStageName(DrapeStage stage);
+
+// How a run ended.
+enum class DrapeOutcome {
+  kAtRest,     // Every seam is closed and the cloth is at rest.
+  kSeamsOpen,  // Some seam does not close: the garment is too small here, or caught.
+  kNotAtRest,  // Closed, but still moving at the step limit.
+};
+
+// "at_rest", "seams_open", "not_at_rest".
+std::string_view DrapeOutcomeName(DrapeOutcome outcome);
+
+// A picture of a run for the observer. Views are valid during the call only.
+struct DrapeSnapshot {
+  DrapeStage stage = DrapeStage::kStart;
+  int substep = 0;                             // Since the start.
+  double progress = 0.0;                       // Part of the whole, 0 to 1, an estimate.
+  std::span<const Eigen::Vector3d> positions;  // One a vertex of the mesh (unit: metre).
+};
+// Called from the thread that drapes, at the start and end of each stage and some ten times in between.
+using DrapeObserver = std::function<void(const DrapeSnapshot&)>;
+
+// How and when dressing ends. Rates are per second and sizes in metres, so that they fit any mesh.
+struct DrapeOptions {
+  ClothMaterial material;
+  Eigen::Vector3d gravity = Eigen::Vector3d(0.0, -9.81, 0.0);  // (unit: m/s^2)
+
+  double friction_coefficient = 0.35;  // Cloth on skin once stitched (unit: 1).
+  double stitching_friction_coefficient =
+      0.05;                         // While seams are drawn together: hardly any, or the underarm is caught.
+  double contact_offset = 0.003;    // Particles stay this far outside the body (unit: metre).
+  double sample_clearance = 0.001;  // Edge middles and triangle centres stay this far outside (unit: metre).
+
+  double closing_speed = 1.6;  // Largest speed at which a pair is drawn together (unit: m/s).
+  double closed_gap = 0.0005;  // A pair closer than this is closed (unit: metre).
+  int merging_substep_limit = 3000;
+  int draping_substep_limit = 12000;
+
+  double rest_speed = 0.018;               // 0.03 cm per 1/60 s (unit: m/s).
+  double rest_share = 0.985;               // This part of the particles must be slower than rest_speed,
+  double rest_speed_of_99_percent = 0.02;  // and 99 % slower than this (unit: m/s).
+
+  // A further condition for the end, equation (6) of the method: every one of these vertices of the mesh must be within
+  // `touching_distance` of the body (unit: metre) before rest counts. Whether it was met is reported; the run ends at
+  // rest or at the step limit either way.
+  std::vector<int> touching_vertices;
+  double touching_distance = 0.02;
+};
+
+// What happened, in numbers. Strain is that of an edge against its rest length, stretched positive.
+struct DrapeReport {
+  DrapeOutcome outcome = DrapeOutcome::kNotAtRest;
+  std::string finishing_reason;  // A sentence for a person; names gap and place where a seam does not close.
+
+  int merging_substeps = 0;
+  int draping_substeps = 0;
+  double simulated_seconds = 0.0;  // In which gravity acted.
+
+  int seam_pair_count = 0;
+  int open_seam_count = 0;
+  double seam_gap_mean = 0.0;  // When merging ended; the welded ones then coincide (unit: metre).
+  double seam_gap_p95 = 0.0;
+  double seam_gap_max = 0.0;
+  double final_seam_gap_max = 0.0;  // In the result (unit: metre).
+
+  double speed_p99 = 0.0;  // At the end (unit: m/s).
+  double speed_max = 0.0;
+  double share_at_rest = 0.0;  // Part of the particles slower than the rest speed.
+  bool touching_condition_met = true;
+  double touching_distance_max = 0.0;  // Largest distance of a touching vertex (unit: metre).
+
+  double deepest_penetration = 0.0;  // Over particles and samples; 0 if none is inside (unit: metre).
+  int particles_inside = 0;
+  int samples_inside = 0;  // Edge middles and triangle centres.
+
+  double strain_p50 = 0.0;
+  double strain_p95 = 0.0;
+  double strain_p99 = 0.0;
+  double strain_max = 0.0;
+  int self_crossing_count = 0;  // Pairs of an edge and a triangle of the cloth that cross.
+};
+
+struct DrapeResult {
+  std::vector<Eigen::Vector3d> positions;  // One a vertex of the mesh; sewn partners coincide (unit: metre).
+  DrapeReport report;
+};
+
+// Dresses `body` in `mesh`, from `start_positions` (one a vertex of the mesh), in the frame of the body: draws seam
+// pairs together without gravity, strongly damped; welds the closed ones; lets gravity act until the cloth is at rest.
+// Always ends: every stage has a step limit, and a garment that does not close ends with that outcome.
+// The same result for any executor.
+// INVALID_ARGUMENT for empty, mismatched, non-finite or out-of-range input; INTERNAL if the state stops being finite.
+Result<DrapeResult> Drape(const ClothMesh& mesh, std::span<const Eigen::Vector3d> start_positions,
+                          const SignedDistanceField& body, const DrapeOptions& options, Executor& executor,
+                          const DrapeObserver& observer);
+
+}  // namespace fitroom
