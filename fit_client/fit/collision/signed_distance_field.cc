@@ -89,7 +89,7 @@ double SignedDistanceField::ExactDistance(const Eigen::Vector3d& point) const {
   const Eigen::Vector3i brick = (fine / kBrickCells).cast<int>().cwiseMin(brick_count_ - Eigen::Vector3i::Ones());
   const int32_t slot = brick_slot_[BrickIndex(brick)];
   if (slot < 0) return interpolated;
-  NearestTriangle nearest{std::numeric_limits<float>::infinity(), 0.0F, -1};
+  NearestTriangle nearest{std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity(), 0.0F, -1};
   const Eigen::Vector3f local = (point - region_.min()).cast<float>();
   for (uint32_t entry = brick_triangles_begin_[static_cast<size_t>(slot)];
        entry < brick_triangles_begin_[static_cast<size_t>(slot) + 1]; ++entry) {

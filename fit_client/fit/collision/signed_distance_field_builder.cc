@@ -27,6 +27,13 @@ bool IsInside(const Eigen::Vector3i& node, const Eigen::Vector3i& count) {
   return (node.array() >= 0).all() && (node.array() < count.array()).all();
 }
 
+Eigen::Vector3i LocalNode(int index) {
+  constexpr int kNodes = 9;
+  return {index % kNodes, index / kNodes % kNodes, index / (kNodes * kNodes)};
+}
+
+int LocalIndex(const Eigen::Vector3i& node) { return node.x() + 9 * (node.y() + 9 * node.z()); }
+
 float AngleBetween(const Eigen::Vector3f& u, const Eigen::Vector3f& v) {
   return std::atan2(u.cross(v).norm(), u.dot(v));
 }
@@ -52,6 +59,7 @@ Result<SignedDistanceField> SignedDistanceFieldBuilder::Build() {
   }
   field_.brick_samples_.resize(slot_count * SignedDistanceField::kBrickSampleCount);
   coarse_of_brick_.resize(slot_count * 27);
+  SeedCoarseGrid();
   constexpr size_t kBricksPerTask = 16;
   executor_.Run(static_cast<int>((slot_count + kBricksPerTask - 1) / kBricksPerTask), [&](int task) {
     const size_t begin = static_cast<size_t>(task) * kBricksPerTask;
@@ -118,6 +126,10 @@ void SignedDistanceFieldBuilder::KeepTrianglesInReach() {
     const Eigen::Vector3f triangle_high = a.cwiseMax(b).cwiseMax(c);
     if ((triangle_high.array() < low.array()).any() || (triangle_low.array() > high.array()).any()) continue;
     field_.triangles_.push_back(triangle);
+    const Eigen::Vector3f centre = 0.5F * (triangle_low + triangle_high);
+    const float squared_radius =
+        std::max({(a - centre).squaredNorm(), (b - centre).squaredNorm(), (c - centre).squaredNorm()});
+    spheres_.emplace_back(centre.x(), centre.y(), centre.z(), std::sqrt(squared_radius));
   }
 }
 
@@ -203,7 +215,7 @@ void SignedDistanceFieldBuilder::Consider(const SignedDistanceField& field, cons
   const float facing = length > 0.0F ? normal.dot(way) / length : 0.0F;
   const bool tie = squared_distance >= nearest.squared_distance * (1.0F - kTie);
   if (tie && std::abs(facing) <= std::abs(nearest.facing)) return;
-  nearest = {squared_distance, facing, triangle};
+  nearest = {squared_distance, std::sqrt(squared_distance), facing, triangle};
 }
 
 void SignedDistanceFieldBuilder::SplatTriangles(size_t slot, const Eigen::Vector3i& first_node,
@@ -224,65 +236,97 @@ void SignedDistanceFieldBuilder::SplatTriangles(size_t slot, const Eigen::Vector
     for (int z = from.z(); z <= to.z(); ++z) {
       for (int y = from.y(); y <= to.y(); ++y) {
         for (int x = from.x(); x <= to.x(); ++x) {
-          Consider(field_, FinePoint(first_node + Eigen::Vector3i(x, y, z)), triangle,
-                   samples[static_cast<size_t>(x + kNodes * (y + kNodes * z))]);
+          TryTriangle(FinePoint(first_node + Eigen::Vector3i(x, y, z)), triangle,
+                      samples[static_cast<size_t>(x + kNodes * (y + kNodes * z))]);
         }
       }
     }
   }
 }
 
-// Hands nearest triangles on to the samples that splatting has not reached, twice forth and back. Such a sample is
-// further than a pitch from the surface, so it lies on the same side as the neighbour that it takes a triangle from.
-void SignedDistanceFieldBuilder::SpreadInBrick(const Eigen::Vector3i& first_node, BrickSamples& samples) const {
+// Gives the samples that splatting has not reached the nearest triangles that the coarse grid and their neighbours
+// know.
+void SignedDistanceFieldBuilder::SpreadInBrick(const Eigen::Vector3i& first_node, const std::vector<bool>& reached,
+                                               BrickSamples& samples) const {
   constexpr int kNodes = SignedDistanceField::kBrickNodes;
-  const float reach = kNearCells * static_cast<float>(field_.pitch_);
-  const auto visit = [&](int x, int y, int z) {
-    NearestTriangle& sample = samples[static_cast<size_t>(x + kNodes * (y + kNodes * z))];
-    if (sample.squared_distance <= reach * reach) return;
+  constexpr int kStride = SignedDistanceField::kBrickCells / SignedDistanceField::kCoarsePerBrick;
+  const auto consider = [&](const Eigen::Vector3i& local, int32_t triangle, NearestTriangle& sample) {
+    if (triangle < 0 || triangle == sample.triangle) return;
+    TryTriangle(FinePoint(first_node + local), triangle, sample);
+  };
+  for (int index = 0; index < SignedDistanceField::kBrickSampleCount; ++index) {
+    if (reached[static_cast<size_t>(index)]) continue;
+    const Eigen::Vector3i local = LocalNode(index);
+    const Eigen::Vector3i nearest_coarse = (first_node + local + Eigen::Vector3i::Constant(kStride / 2)) / kStride;
+    consider(local, coarse_[field_.CoarseIndex(nearest_coarse)].triangle, samples[static_cast<size_t>(index)]);
+  }
+  const auto visit = [&](int index) {
+    if (reached[static_cast<size_t>(index)]) return;
+    const Eigen::Vector3i local = LocalNode(index);
     for (const Eigen::Vector3i& step : kNeighbours) {
-      const Eigen::Vector3i other = Eigen::Vector3i(x, y, z) + step;
+      const Eigen::Vector3i other = local + step;
       if (!IsInside(other, Eigen::Vector3i::Constant(kNodes))) continue;
-      const NearestTriangle& neighbour =
-          samples[static_cast<size_t>(other.x() + kNodes * (other.y() + kNodes * other.z()))];
-      if (neighbour.triangle < 0 || neighbour.triangle == sample.triangle) continue;
-      NearestTriangle candidate = sample;
-      Consider(field_, FinePoint(first_node + Eigen::Vector3i(x, y, z)), neighbour.triangle, candidate);
-      if (candidate.triangle == sample.triangle) continue;
-      sample = candidate;
-      sample.facing = neighbour.facing;
+      consider(local, samples[static_cast<size_t>(LocalIndex(other))].triangle, samples[static_cast<size_t>(index)]);
     }
   };
-  for (int round = 0; round < 2; ++round) {
-    for (int index = 0; index < kNodes * kNodes * kNodes; ++index) {
-      visit(index % kNodes, index / kNodes % kNodes, index / (kNodes * kNodes));
-    }
-    for (int index = kNodes * kNodes * kNodes - 1; index >= 0; --index) {
-      visit(index % kNodes, index / kNodes % kNodes, index / (kNodes * kNodes));
+  for (int index = 0; index < SignedDistanceField::kBrickSampleCount; ++index) visit(index);
+  for (int index = SignedDistanceField::kBrickSampleCount - 1; index >= 0; --index) visit(index);
+}
+
+// Samples that splatting has not reached are further than a pitch from the surface, so they lie on the same side as
+// their neighbours: the sign spreads from the reached ones, whose triangles are all known.
+void SignedDistanceFieldBuilder::SpreadSigns(const std::vector<bool>& reached, BrickSamples& samples) {
+  std::vector<int> queue;
+  std::vector<bool> known = reached;
+  for (int index = 0; index < SignedDistanceField::kBrickSampleCount; ++index) {
+    if (reached[static_cast<size_t>(index)]) queue.push_back(index);
+  }
+  if (queue.empty()) {  // All on one side: the closest sample is the surest.
+    const auto closest = std::min_element(
+        samples.begin(), samples.end(),
+        [](const NearestTriangle& a, const NearestTriangle& b) { return a.squared_distance < b.squared_distance; });
+    queue.push_back(static_cast<int>(closest - samples.begin()));
+    known[static_cast<size_t>(queue.front())] = true;
+  }
+  for (size_t next = 0; next < queue.size(); ++next) {
+    const Eigen::Vector3i local = LocalNode(queue[next]);
+    for (const Eigen::Vector3i& step : kNeighbours) {
+      const Eigen::Vector3i other = local + step;
+      if (!IsInside(other, Eigen::Vector3i::Constant(SignedDistanceField::kBrickNodes))) continue;
+      const size_t index = static_cast<size_t>(LocalIndex(other));
+      if (known[index]) continue;
+      known[index] = true;
+      samples[index].facing = samples[static_cast<size_t>(queue[next])].facing;
+      queue.push_back(static_cast<int>(index));
     }
   }
 }
 
 void SignedDistanceFieldBuilder::FillBrick(size_t slot) {
-  constexpr int kNodes = SignedDistanceField::kBrickNodes;
   const Eigen::Vector3i first_node = brick_of_slot_[slot] * SignedDistanceField::kBrickCells;
-  BrickSamples samples(SignedDistanceField::kBrickSampleCount, NearestTriangle{kUnknown, 0.0F, -1});
-  // Samples start at the splatting reach, so that a triangle further away is not taken for the nearest one.
+  const float reach = kNearCells * static_cast<float>(field_.pitch_);
+  // Nothing is known yet, and nothing further than the splatting reach is taken.
+  BrickSamples samples(SignedDistanceField::kBrickSampleCount, NearestTriangle{reach * reach, reach, 0.0F, -1});
   SplatTriangles(slot, first_node, samples);
-  const bool reached =
-      std::any_of(samples.begin(), samples.end(), [](const NearestTriangle& sample) { return sample.triangle >= 0; });
-  if (reached) {
-    SpreadInBrick(first_node, samples);
-  } else {  // The surface only comes near: few triangles, tried by every sample.
+  std::vector<bool> reached(samples.size());
+  bool any_reached = false;
+  for (size_t index = 0; index < samples.size(); ++index) {
+    reached[index] = samples[index].triangle >= 0;
+    any_reached = any_reached || reached[index];
+    if (!reached[index]) samples[index] = {kUnknown, kUnknown, 0.0F, -1};
+  }
+  if (!any_reached) {  // The surface only comes near: few triangles, tried by every sample.
     for (uint32_t entry = field_.brick_triangles_begin_[slot]; entry < field_.brick_triangles_begin_[slot + 1];
          ++entry) {
       for (int index = 0; index < SignedDistanceField::kBrickSampleCount; ++index) {
-        const Eigen::Vector3i local(index % kNodes, index / kNodes % kNodes, index / (kNodes * kNodes));
-        Consider(field_, FinePoint(first_node + local), static_cast<int32_t>(field_.brick_triangles_[entry]),
-                 samples[static_cast<size_t>(index)]);
+        TryTriangle(FinePoint(first_node + LocalNode(index)), static_cast<int32_t>(field_.brick_triangles_[entry]),
+                    samples[static_cast<size_t>(index)]);
       }
     }
+    SpreadSigns(reached, samples);
   }
+  SpreadInBrick(first_node, reached, samples);
+  if (any_reached) SpreadSigns(reached, samples);
   float* const stored = &field_.brick_samples_[slot * SignedDistanceField::kBrickSampleCount];
   for (size_t index = 0; index < samples.size(); ++index) {
     stored[index] = std::copysign(std::sqrt(samples[index].squared_distance), samples[index].facing);
@@ -290,48 +334,65 @@ void SignedDistanceFieldBuilder::FillBrick(size_t slot) {
   constexpr int kStride = SignedDistanceField::kBrickCells / SignedDistanceField::kCoarsePerBrick;
   for (int node = 0; node < 27; ++node) {
     const Eigen::Vector3i local = Eigen::Vector3i(node % 3, node / 3 % 3, node / 9) * kStride;
-    coarse_of_brick_[slot * 27 + static_cast<size_t>(node)] =
-        samples[static_cast<size_t>(local.x() + kNodes * (local.y() + kNodes * local.z()))];
+    coarse_of_brick_[slot * 27 + static_cast<size_t>(node)] = samples[static_cast<size_t>(LocalIndex(local))];
   }
+}
+
+// Finds a nearest triangle for every coarse node: first those whose corners or centre are next to it, then what the
+// neighbours know.
+void SignedDistanceFieldBuilder::SeedCoarseGrid() {
+  coarse_.assign(field_.coarse_count_.cast<Eigen::Index>().prod(), NearestTriangle{kUnknown, kUnknown, 0.0F, -1});
+  constexpr int kStride = SignedDistanceField::kBrickCells / SignedDistanceField::kCoarsePerBrick;
+  const float step = static_cast<float>(field_.pitch_ * kStride);
+  for (size_t index = 0; index < field_.triangles_.size(); ++index) {
+    const Eigen::Vector3i& corners = field_.triangles_[index];
+    const Eigen::Vector3f& a = field_.vertices_[static_cast<size_t>(corners[0])];
+    const Eigen::Vector3f& b = field_.vertices_[static_cast<size_t>(corners[1])];
+    const Eigen::Vector3f& c = field_.vertices_[static_cast<size_t>(corners[2])];
+    Eigen::Vector3i last = Eigen::Vector3i::Constant(-1);
+    for (const Eigen::Vector3f& place : {((a + b + c) / 3.0F).eval(), a, b, c}) {
+      const Eigen::Vector3i node = (place / step).array().round().matrix().cast<int>();
+      if (node == last || !IsInside(node, field_.coarse_count_)) continue;
+      last = node;
+      TryTriangle(FinePoint(node * kStride), static_cast<int32_t>(index), coarse_[field_.CoarseIndex(node)]);
+    }
+  }
+  SpreadOverCoarseGrid();
 }
 
 void SignedDistanceFieldBuilder::FillCoarseGrid() {
-  std::vector<NearestTriangle> nodes(field_.coarse_count_.cast<Eigen::Index>().prod(),
-                                     NearestTriangle{kUnknown, 0.0F, -1});
-  TakeOverBricks(nodes);
-  std::vector<bool> fixed(nodes.size());
-  for (size_t index = 0; index < nodes.size(); ++index) fixed[index] = nodes[index].triangle >= 0;
-  SpreadOverCoarseGrid(nodes, fixed);
-  SignCoarseGrid(nodes, fixed);
-  field_.coarse_samples_.resize(nodes.size());
-  for (size_t index = 0; index < nodes.size(); ++index) {
-    field_.coarse_samples_[index] = std::copysign(std::sqrt(nodes[index].squared_distance), nodes[index].facing);
+  const std::vector<bool> in_brick = TakeOverBricks();
+  SignCoarseGrid(in_brick);
+  field_.coarse_samples_.resize(coarse_.size());
+  for (size_t index = 0; index < coarse_.size(); ++index) {
+    field_.coarse_samples_[index] = std::copysign(std::sqrt(coarse_[index].squared_distance), coarse_[index].facing);
   }
 }
 
-void SignedDistanceFieldBuilder::TakeOverBricks(std::vector<NearestTriangle>& nodes) const {
+// Replaces the nodes that lie in stored bricks by what the bricks know; returns which those are.
+std::vector<bool> SignedDistanceFieldBuilder::TakeOverBricks() {
+  std::vector<bool> in_brick(coarse_.size(), false);
   for (size_t slot = 0; slot < brick_of_slot_.size(); ++slot) {
     const Eigen::Vector3i first = brick_of_slot_[slot] * SignedDistanceField::kCoarsePerBrick;
     for (int node = 0; node < 27; ++node) {
       const NearestTriangle& known = coarse_of_brick_[slot * 27 + static_cast<size_t>(node)];
-      NearestTriangle& target = nodes[field_.CoarseIndex(first + Eigen::Vector3i(node % 3, node / 3 % 3, node / 9))];
-      if (known.squared_distance < target.squared_distance) target = known;
+      const size_t target = field_.CoarseIndex(first + Eigen::Vector3i(node % 3, node / 3 % 3, node / 9));
+      if (!in_brick[target] || known.squared_distance < coarse_[target].squared_distance) coarse_[target] = known;
+      in_brick[target] = true;
     }
   }
+  return in_brick;
 }
 
-void SignedDistanceFieldBuilder::SpreadOverCoarseGrid(std::vector<NearestTriangle>& nodes,
-                                                      const std::vector<bool>& fixed) const {
+void SignedDistanceFieldBuilder::SpreadOverCoarseGrid() {
   const Eigen::Vector3i count = field_.coarse_count_;
   constexpr int kStride = SignedDistanceField::kBrickCells / SignedDistanceField::kCoarsePerBrick;
   const auto visit = [&](const Eigen::Vector3i& at) {
-    const size_t index = field_.CoarseIndex(at);
-    if (fixed[index]) return;
+    NearestTriangle& node = coarse_[field_.CoarseIndex(at)];
     for (const Eigen::Vector3i& step : kNeighbours) {
       if (!IsInside(at + step, count)) continue;
-      const int32_t triangle = nodes[field_.CoarseIndex(at + step)].triangle;
-      if (triangle < 0 || triangle == nodes[index].triangle) continue;
-      Consider(field_, FinePoint(at * kStride), triangle, nodes[index]);
+      const int32_t triangle = coarse_[field_.CoarseIndex(at + step)].triangle;
+      if (triangle >= 0 && triangle != node.triangle) TryTriangle(FinePoint(at * kStride), triangle, node);
     }
   };
   // Sweeps in all eight directions reach every node from every side.
@@ -349,11 +410,10 @@ void SignedDistanceFieldBuilder::SpreadOverCoarseGrid(std::vector<NearestTriangl
 
 // Nodes outside the bricks are further from the surface than half a step, so connected ones lie on one side. What the
 // bricks say along a connected part decides by majority.
-void SignedDistanceFieldBuilder::SignCoarseGrid(std::vector<NearestTriangle>& nodes,
-                                                const std::vector<bool>& fixed) const {
+void SignedDistanceFieldBuilder::SignCoarseGrid(const std::vector<bool>& in_brick) {
   const Eigen::Vector3i count = field_.coarse_count_;
   const float half_step = static_cast<float>(2.0 * field_.pitch_);
-  std::vector<bool> seen = fixed;
+  std::vector<bool> seen = in_brick;
   std::vector<Eigen::Vector3i> part;
   for (int z = 0; z < count.z(); ++z) {
     for (int y = 0; y < count.y(); ++y) {
@@ -367,15 +427,15 @@ void SignedDistanceFieldBuilder::SignCoarseGrid(std::vector<NearestTriangle>& no
             const Eigen::Vector3i other = part[next] + step;
             if (!IsInside(other, count)) continue;
             const size_t index = field_.CoarseIndex(other);
-            if (fixed[index] && nodes[index].squared_distance > half_step * half_step) {
-              vote += nodes[index].facing < 0.0F ? -1 : 1;
+            if (in_brick[index] && coarse_[index].squared_distance > half_step * half_step) {
+              vote += coarse_[index].facing < 0.0F ? -1 : 1;
             }
             if (seen[index]) continue;
             seen[index] = true;
             part.push_back(other);
           }
         }
-        for (const Eigen::Vector3i& node : part) nodes[field_.CoarseIndex(node)].facing = vote < 0 ? -1.0F : 1.0F;
+        for (const Eigen::Vector3i& node : part) coarse_[field_.CoarseIndex(node)].facing = vote < 0 ? -1.0F : 1.0F;
       }
     }
   }

@@ -30,8 +30,8 @@ TEST(SignedDistanceField, OfASphereIsDistanceToCentreMinusRadius) {
     const Eigen::Vector3d point = centre + Eigen::Vector3d(coordinate(random), coordinate(random), coordinate(random));
     const double expected = (point - centre).norm() - radius;
     const SignedDistanceField::Sample sample = field.Query(point);
-    const bool is_near = std::abs(expected) < 0.006;
-    EXPECT_NEAR(sample.distance, expected, is_near ? 2e-4 : 3e-3) << point.transpose();
+    const bool is_near = std::abs(expected) < 0.004;
+    EXPECT_NEAR(sample.distance, expected, is_near ? 2e-4 : 5e-3) << point.transpose();
     if (is_near) {
       EXPECT_NEAR(field.ExactDistance(point), expected, 1e-4);
       EXPECT_GT(sample.gradient.normalized().dot((point - centre).normalized()), 0.998) << point.transpose();
@@ -48,7 +48,7 @@ TEST(SignedDistanceField, OfABoxKeepsSharpEdgesAndSigns) {
     const Eigen::Vector3d point(coordinate(random), coordinate(random), coordinate(random));
     const Eigen::Vector3d outside = (box.min() - point).cwiseMax(point - box.max());
     const double expected = (outside.array() > 0.0).any() ? outside.cwiseMax(0.0).norm() : outside.maxCoeff();
-    if (std::abs(expected) < 0.006) {
+    if (std::abs(expected) < 0.004) {
       EXPECT_NEAR(field.ExactDistance(point), expected, 1e-5) << point.transpose();
       EXPECT_NEAR(field.Distance(point), expected, 1.5e-3) << point.transpose();
     } else {
@@ -65,7 +65,7 @@ TEST(SignedDistanceField, OfATorusKnowsItsHoleFromItsTube) {
     const double y = 0.035 * std::sin(1.7 * step);
     const Eigen::Vector3d point(r * std::cos(angle), y, r * std::sin(angle));
     const double expected = std::hypot(r - 0.1, y) - 0.03;
-    EXPECT_NEAR(field.Distance(point), expected, std::abs(expected) < 0.006 ? 3e-4 : 3e-3) << point.transpose();
+    EXPECT_NEAR(field.Distance(point), expected, std::abs(expected) < 0.004 ? 3e-4 : 5e-3) << point.transpose();
   }
 }
 
