@@ -32,8 +32,8 @@ class FrontalMap {
   // and gaps of one cell are ignored.
   std::vector<Run> RowRuns(double y) const;
 
-  // Returns the largest y of the body, not above `highest`, in the column nearest to x; nothing where there is none. The
-  // bound keeps the head out where it overhangs the shoulders.
+  // Returns the largest y of the body, not above `highest`, in the column nearest to x; nothing where there is none.
+  // The bound keeps the head out where it overhangs the shoulders.
   std::optional<double> ColumnTop(double x, double highest) const;
 
   double pitch() const { return pitch_; }

@@ -1,0 +1,72 @@
+#include "fit_client/fit/stages/dress_top.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "fit_client/fit/collision/signed_distance_field.h"
+
+namespace fitroom {
+namespace {
+
+constexpr double kMergingPicture = 0.45;  // How far the panels have come in the picture of the merging, 0 to 1.
+
+// Where the cloth can get to: round the start pose, and lower, because it falls.
+Eigen::AlignedBox3d ReachOf(const StartPose& pose) {
+  Eigen::AlignedBox3d reach;
+  for (const Eigen::Vector3d& place : pose.around) reach.extend(place);
+  reach.min() -= Eigen::Vector3d(0.06, 0.12, 0.06);
+  reach.max() += Eigen::Vector3d(0.06, 0.04, 0.06);
+  return reach;
+}
+
+std::vector<Eigen::Vector3d> Between(const std::vector<Eigen::Vector3d>& from, const std::vector<Eigen::Vector3d>& to,
+                                     double t) {
+  std::vector<Eigen::Vector3d> places(from.size());
+  for (size_t i = 0; i < from.size(); ++i) places[i] = (1.0 - t) * from[i] + t * to[i];
+  return places;
+}
+
+// The shoulder-sleeve points of both panels that start over the shoulder; the others belong to the arm.
+std::vector<int> ShoulderPoints(const ClothMesh& cloth, const Body& body, const StartPose& pose) {
+  std::vector<int> points;
+  for (const NamedParticle& named : cloth.named_particles) {
+    const std::string name = named.name.substr(named.name.find('/') + 1);
+    if (name.size() != 2 || name[0] != 'e') continue;
+    const double x = pose.around[static_cast<size_t>(named.particle)].x();
+    const BodyLandmark acromion = x > 0.0 ? BodyLandmark::kAcromionLeft : BodyLandmark::kAcromionRight;
+    if (std::abs(x) <= std::abs(body.landmarks[acromion].position.x())) points.push_back(named.particle);
+  }
+  return points;
+}
+
+}  // namespace
+
+Result<DressTopResult> DressTop(const ClothMesh& cloth, const Body& body, const TriangleMesh& collider,
+                                const DressTopOptions& options, Executor& executor,
+                                const std::function<void(double done)>& progress) {
+  FR_ASSIGN_OR_RETURN(const StartPose pose, PlaceTop(cloth, body, collider, options.start_pose));
+  SignedDistanceFieldOptions field_options;
+  field_options.pitch = options.field_pitch;
+  field_options.region = ReachOf(pose);
+  FR_ASSIGN_OR_RETURN(const SignedDistanceField field, SignedDistanceField::Build(collider, field_options, executor));
+
+  DressTopResult result;
+  result.stages.start = pose.apart;
+  result.stages.merging = Between(pose.apart, pose.around, kMergingPicture);
+  DrapeOptions drape_options = options.drape;
+  drape_options.touching_vertices = ShoulderPoints(cloth, body, pose);
+  const DrapeObserver observer = [&](const DrapeSnapshot& snapshot) {
+    if (snapshot.stage == DrapeStage::kStitched) {
+      result.stages.stitched.assign(snapshot.positions.begin(), snapshot.positions.end());
+    }
+    if (progress) progress(snapshot.progress);
+  };
+  FR_ASSIGN_OR_RETURN(DrapeResult drape, Drape(cloth, pose.around, field, drape_options, executor, observer));
+  result.stages.final = std::move(drape.positions);
+  if (result.stages.stitched.empty()) result.stages.stitched = result.stages.final;
+  result.report = std::move(drape.report);
+  return result;
+}
+
+}  // namespace fitroom
