@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+
+#include "common/base/progress.h"
+#include "common/base/status.h"
+#include "fit_client/fitting/fit_garment.h"
+#include "fit_client/fitting/fit_inputs.h"
+#include "fit_client/fitting/stopwatch.h"
+
+namespace fitroom {
+
+struct FitOutputOptions {
+  bool pictures = true;  // PNGs of the views and the stages.
+  bool glb = true;       // A 3D model for any viewer.
+  int thread_count = 1;
+};
+
+// Draws and writes everything a fit shows into `folder`, which is made where it is missing: pictures, stage pictures,
+// fitted.glb, report.json and report.txt. Times, memory and the list of files are filled into the fit's report first.
+// Fails like DrawFitPictures() and WriteFileAtomically(); files already written stay.
+Status WriteFitOutputs(const std::filesystem::path& folder, const BodyInput& body, const GarmentInput& garment,
+                       Fit& fit, const FitOutputOptions& options, Stopwatch& stopwatch, const ProgressSink& progress);
+
+}  // namespace fitroom
