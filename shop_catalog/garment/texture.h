@@ -1,0 +1,13 @@
+#pragma once
+
+#include "common/garment/polygon.h"
+#include "common/image/image.h"
+
+namespace fitroom::shop_catalog {
+
+// Returns the photograph (RGB) with the garment's colours carried on beyond its outline over the whole picture, so that
+// a seam or an edge can never show background. Colours within `edge` of the outline are replaced too: there the
+// photograph's pixels are a mixture with the background (unit: pixel).
+Image CarryColoursOn(const Image& photograph, const Polygon& outline, int edge);
+
+}  // namespace fitroom::shop_catalog
