@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "common/base/exit_code.h"
+#include "common/base/file.h"
+#include "shop_catalog/cli/commands.h"
+#include "shop_catalog/garment/extract_garment.h"
+
+namespace fitroom::shop_catalog {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr size_t kMaxPhotoSize = 20u * 1000u * 1000u;  // (unit: byte)
+constexpr size_t kMaxAnnotationSize = 1u << 20;        // (unit: byte)
+
+struct ExtractOptions {
+  std::string front;
+  std::string back;
+  std::string kind = "tshirt";
+  double length_cm = 0.0;
+  std::string out;
+  std::string id;
+  std::string title;
+  std::string annotation;
+  bool as_json = false;
+};
+
+// Makes an id of a file's name: what is not a letter or digit becomes '-'.
+std::string IdOfFileName(const std::string& file) {
+  std::string id;
+  for (const char c : std::filesystem::path(file).stem().string()) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 128 && std::isalnum(byte) != 0) {
+      id += static_cast<char>(std::tolower(byte));
+    } else if (!id.empty() && id.back() != '-') {
+      id += '-';
+    }
+  }
+  while (!id.empty() && id.back() == '-') id.pop_back();
+  return id.empty() ? "garment" : id.substr(0, 63);
+}
+
+Json ViewToJson(const GarmentView& view, const ViewConfidence& confidence) {
+  Json points = Json::object();
+  for (const OutlinePoint& point : view.points) {
+    points[point.name] = {{"pixel", {point.pixel.x(), point.pixel.y()}}, {"confidence", point.confidence}};
+  }
+  return {{"image_width", view.image_width},
+          {"image_height", view.image_height},
+          {"mm_per_pixel", view.metre_per_pixel * 1000.0},
+          {"mask", {{"source", confidence.mask_source}, {"confidence", confidence.mask}}},
+          {"points_confidence", confidence.points},
+          {"weakest_point", confidence.weakest_point},
+          {"points", std::move(points)}};
+}
+
+// The document that scripts read.
+Json ToJson(const GarmentExtraction& extraction, const std::string& folder) {
+  const Garment& garment = extraction.garment;
+  Json document = {{"id", garment.id},
+                   {"kind", GarmentKindName(garment.kind)},
+                   {"length_cm", garment.length * 100.0},
+                   {"folder", folder}};
+  Json& measures = document["measures_cm"] = Json::object();
+  for (const GarmentMeasure& measure : garment.measures) {
+    measures[measure.name] = static_cast<double>(static_cast<long>(measure.value * 1000.0 + 0.5)) / 10.0;
+  }
+  document["front"] = ViewToJson(garment.front, extraction.front);
+  if (garment.back) document["back"] = ViewToJson(*garment.back, *extraction.back);
+  return document;
+}
+
+void PrintView(const char* name, const ViewConfidence& confidence) {
+  std::printf("%-6s mask %.2f (%s), points %.2f, weakest %s %.2f\n", name, confidence.mask,
+              confidence.mask_source.c_str(), confidence.points, confidence.weakest_point.c_str(), confidence.weakest);
+}
+
+void PrintTable(const GarmentExtraction& extraction, const std::string& folder) {
+  std::printf("confidence, 0 to 1:\n");
+  PrintView("front", extraction.front);
+  if (extraction.back) PrintView("back", *extraction.back);
+  std::printf("\n%-16s %8s\n", "measure, flat", "cm");
+  for (const GarmentMeasure& measure : extraction.garment.measures) {
+    std::printf("%-16s %8.1f\n", measure.name.c_str(), measure.value * 100.0);
+  }
+  std::printf("\n%s\n", (std::filesystem::path(folder) / "extraction.png").c_str());
+}
+
+Status Extract(const ExtractOptions& options) {
+  const std::optional<GarmentKind> kind = GarmentKindFromName(options.kind);
+  if (!kind) {
+    return InvalidArgument("KIND_UNKNOWN", "\"" + options.kind +
+                                               "\" is not a kind of garment; name tshirt, long_sleeve, one_piece, "
+                                               "skirt, pants or shorts");
+  }
+  FR_ASSIGN_OR_RETURN(const std::string front, ReadFile(options.front, kMaxPhotoSize));
+  std::string back;
+  if (!options.back.empty()) {
+    FR_ASSIGN_OR_RETURN(back, ReadFile(options.back, kMaxPhotoSize));
+  }
+  PointAnnotation annotation;
+  if (!options.annotation.empty()) {
+    FR_ASSIGN_OR_RETURN(const std::string text, ReadFile(options.annotation, kMaxAnnotationSize));
+    Result<PointAnnotation> read = PointAnnotationFromJson(text, *kind);
+    if (!read.ok()) return read.status().At(options.annotation);
+    annotation = std::move(read).value();
+  }
+
+  ExtractionRequest request;
+  request.id = options.id.empty() ? IdOfFileName(options.front) : options.id;
+  request.title = options.title;
+  request.kind = *kind;
+  request.length = options.length_cm / 100.0;
+  request.front_photo = front;
+  request.back_photo = back;
+  if (!options.annotation.empty()) request.annotation = &annotation;
+  FR_ASSIGN_OR_RETURN(const GarmentExtraction extraction, ExtractGarment(request));
+  FR_RETURN_IF_ERROR(WriteGarmentFolder(options.out, extraction.garment, extraction.files));
+  if (options.as_json) {
+    std::printf("%s\n", ToJson(extraction, options.out).dump(2).c_str());
+  } else {
+    PrintTable(extraction, options.out);
+  }
+  return {};
+}
+
+}  // namespace
+
+void AddExtractCommand(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<ExtractOptions>();
+  CLI::App* command =
+      app.add_subcommand("extract", "Finds a garment's outline, points and measures in photographs, without a server");
+  command->add_option("FRONT", options->front, "Front photograph (JPEG, PNG or WebP)")->required();
+  command->add_option("BACK", options->back, "Back photograph; without it the front serves for both");
+  command->add_option("--kind", options->kind, "tshirt or long_sleeve")->capture_default_str();
+  command->add_option("--length-cm", options->length_cm, "Length from the highest shoulder point to the hem, flat");
+  command->add_option("--out", options->out, "Folder to write: garment.json, images, extraction.png")->required();
+  command->add_option("--annotation", options->annotation,
+                      "JSON with points given by hand: {\"front\": {\"P1\": [x, y], ...}, \"back\": {...}}");
+  command->add_option("--id", options->id, "The garment's id (default: made from FRONT's name)");
+  command->add_option("--title", options->title, "The garment's name, for people");
+  command->add_flag("--json", options->as_json, "Prints JSON instead of a table");
+  command->callback([options, &exit_code] { exit_code = ReportAndExitCode("shop_catalog", Extract(*options)); });
+}
+
+}  // namespace fitroom::shop_catalog
