@@ -1,0 +1,238 @@
+#include "fit_client/fit/measure/garment_girth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace fitroom {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+// A point where the plane meets the cloth: x and z (unit: metre).
+using Point = Eigen::Vector2d;
+
+// Where the plane cuts the cloth: points on edges of the mesh and the segments between them, one a triangle.
+struct Section {
+  std::vector<Point> points;
+  std::vector<std::pair<int, int>> segments;
+};
+
+// A polyline of a section. `closed`: the last point is joined to the first, which is not repeated.
+struct Chain {
+  std::vector<Point> points;
+  bool closed = false;
+};
+
+// The rest-frame x between which the cloth is torso: between the underarms, if they are named.
+struct TorsoRange {
+  double min_x = -std::numeric_limits<double>::infinity();
+  double max_x = std::numeric_limits<double>::infinity();
+};
+
+TorsoRange FindTorso(const ClothMesh& cloth, int panel) {
+  TorsoRange range;
+  const std::string prefix = panel == 0 ? "front/" : "back/";
+  for (const NamedParticle& named : cloth.named_particles) {
+    const double x = cloth.rest_positions[static_cast<size_t>(named.particle)].x();
+    if (named.name == prefix + "underarm_L") range.max_x = x;
+    if (named.name == prefix + "underarm_R") range.min_x = x;
+  }
+  return range;
+}
+
+// Particles that are sewn onto each other are one point of the section.
+std::vector<int> SewParticles(const ClothMesh& cloth, const std::vector<Eigen::Vector3d>& positions) {
+  constexpr double kSewnGap = 2e-3;  // (unit: metre)
+  std::vector<int> sewn(positions.size());
+  for (size_t i = 0; i < sewn.size(); ++i) sewn[i] = static_cast<int>(i);
+  const auto root = [&sewn](int i) {
+    while (sewn[static_cast<size_t>(i)] != i) i = sewn[static_cast<size_t>(i)];
+    return i;
+  };
+  for (const SeamPair& pair : cloth.seams) {
+    if ((positions[static_cast<size_t>(pair.a)] - positions[static_cast<size_t>(pair.b)]).norm() > kSewnGap) continue;
+    const int a = root(pair.a);
+    const int b = root(pair.b);
+    sewn[static_cast<size_t>(std::max(a, b))] = std::min(a, b);
+  }
+  for (size_t i = 0; i < sewn.size(); ++i) sewn[i] = root(static_cast<int>(i));
+  return sewn;
+}
+
+// Cuts the torso's triangles. A particle exactly on the plane counts as above it, so that every cut triangle gives one
+// segment and no point is met twice.
+Section CutTorso(const ClothMesh& cloth, const std::vector<Eigen::Vector3d>& positions, double height) {
+  const std::vector<int> sewn = SewParticles(cloth, positions);
+  const TorsoRange torso[2] = {FindTorso(cloth, 0), FindTorso(cloth, 1)};
+  Section section;
+  std::map<std::pair<int, int>, int> point_of_edge;
+  const auto point_on = [&](int a, int b) {
+    a = sewn[static_cast<size_t>(a)];
+    b = sewn[static_cast<size_t>(b)];
+    const std::pair<int, int> edge = std::minmax(a, b);
+    const auto [known, is_new] = point_of_edge.try_emplace(edge, static_cast<int>(section.points.size()));
+    if (is_new) {
+      const Eigen::Vector3d& p = positions[static_cast<size_t>(edge.first)];
+      const Eigen::Vector3d& q = positions[static_cast<size_t>(edge.second)];
+      const double span = q.y() - p.y();
+      const double t = span != 0.0 ? std::clamp((height - p.y()) / span, 0.0, 1.0) : 0.5;
+      section.points.emplace_back(p.x() + t * (q.x() - p.x()), p.z() + t * (q.z() - p.z()));
+    }
+    return known->second;
+  };
+  for (const Eigen::Vector3i& t : cloth.triangles) {
+    double rest_x = 0.0;
+    for (const int corner : t) rest_x += cloth.rest_positions[static_cast<size_t>(corner)].x() / 3.0;
+    const TorsoRange& range = torso[cloth.panel_of_particle[static_cast<size_t>(t[0])] == 0 ? 0 : 1];
+    if (rest_x < range.min_x || rest_x > range.max_x) continue;
+    int ends[2] = {-1, -1};
+    int count = 0;
+    for (int k = 0; k < 3; ++k) {
+      const int a = t[k];
+      const int b = t[(k + 1) % 3];
+      const bool a_above = positions[static_cast<size_t>(sewn[static_cast<size_t>(a)])].y() >= height;
+      const bool b_above = positions[static_cast<size_t>(sewn[static_cast<size_t>(b)])].y() >= height;
+      if (a_above != b_above && count < 2) ends[count++] = point_on(a, b);
+    }
+    if (count == 2 && ends[0] != ends[1]) section.segments.emplace_back(ends[0], ends[1]);
+  }
+  return section;
+}
+
+// Joins segments that share a point. Chains begin at open ends first, so that an open chain is never cut in two.
+std::vector<Chain> LinkChains(const Section& section) {
+  std::vector<std::vector<int>> segments_of(section.points.size());
+  for (size_t s = 0; s < section.segments.size(); ++s) {
+    segments_of[static_cast<size_t>(section.segments[s].first)].push_back(static_cast<int>(s));
+    segments_of[static_cast<size_t>(section.segments[s].second)].push_back(static_cast<int>(s));
+  }
+  std::vector<bool> used(section.segments.size(), false);
+  std::vector<Chain> chains;
+  const auto walk = [&](int start) {
+    Chain chain;
+    int point = start;
+    chain.points.push_back(section.points[static_cast<size_t>(point)]);
+    for (;;) {
+      int next = -1;
+      for (const int s : segments_of[static_cast<size_t>(point)]) {
+        if (used[static_cast<size_t>(s)]) continue;
+        used[static_cast<size_t>(s)] = true;
+        const auto& [a, b] = section.segments[static_cast<size_t>(s)];
+        next = a == point ? b : a;
+        break;
+      }
+      if (next < 0) break;
+      point = next;
+      if (point == start) {
+        chain.closed = true;
+        break;
+      }
+      chain.points.push_back(section.points[static_cast<size_t>(point)]);
+    }
+    if (chain.points.size() > 1) chains.push_back(std::move(chain));
+  };
+  for (size_t p = 0; p < section.points.size(); ++p) {
+    if (segments_of[p].size() % 2 == 1) walk(static_cast<int>(p));
+  }
+  for (size_t p = 0; p < section.points.size(); ++p) walk(static_cast<int>(p));
+  return chains;
+}
+
+// Returns how often a polyline turns round `centre`, in turns; a closed one is closed by its last segment.
+double TurnsRound(const std::vector<Point>& points, bool closed, const Point& centre) {
+  double angle = 0.0;
+  const size_t count = closed ? points.size() : points.size() - 1;
+  for (size_t i = 0; i < count; ++i) {
+    const Point a = points[i] - centre;
+    const Point b = points[(i + 1) % points.size()] - centre;
+    angle += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+  }
+  return angle / (2.0 * kPi);
+}
+
+double Length(const std::vector<Point>& points, bool closed) {
+  double length = closed ? (points.front() - points.back()).norm() : 0.0;
+  for (size_t i = 0; i + 1 < points.size(); ++i) length += (points[i + 1] - points[i]).norm();
+  return length;
+}
+
+// Perimeter of the convex hull (Andrew's monotone chain).
+double HullLength(std::vector<Point> points) {
+  std::sort(points.begin(), points.end(),
+            [](const Point& a, const Point& b) { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); });
+  std::vector<Point> hull;
+  for (int pass = 0; pass < 2; ++pass) {
+    const size_t base = hull.size();
+    for (const Point& point : points) {
+      while (hull.size() >= base + 2) {
+        const Point a = hull[hull.size() - 1] - hull[hull.size() - 2];
+        const Point b = point - hull[hull.size() - 2];
+        if (a.x() * b.y() - a.y() * b.x() > 0.0) break;
+        hull.pop_back();
+      }
+      hull.push_back(point);
+    }
+    hull.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return hull.size() > 1 ? Length(hull, /*closed=*/true) : 0.0;
+}
+
+// Joins open chains to one closed curve, always on to the nearest free end. Returns the curve; adds up the bridges.
+std::vector<Point> JoinChains(std::vector<Chain> chains, double& bridged_length) {
+  std::vector<Point> curve = std::move(chains.front().points);
+  chains.erase(chains.begin());
+  while (!chains.empty()) {
+    size_t best = 0;
+    bool reversed = false;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (size_t c = 0; c < chains.size(); ++c) {
+      for (const bool from_back : {false, true}) {
+        const Point& end = from_back ? chains[c].points.back() : chains[c].points.front();
+        const double distance = (end - curve.back()).norm();
+        if (distance < nearest) {
+          nearest = distance;
+          best = c;
+          reversed = from_back;
+        }
+      }
+    }
+    std::vector<Point>& points = chains[best].points;
+    if (reversed) std::reverse(points.begin(), points.end());
+    curve.insert(curve.end(), points.begin(), points.end());
+    bridged_length += nearest;
+    chains.erase(chains.begin() + static_cast<ptrdiff_t>(best));
+  }
+  bridged_length += (curve.front() - curve.back()).norm();
+  return curve;
+}
+
+}  // namespace
+
+GarmentGirth MeasureDrapedGirth(const ClothMesh& cloth, const std::vector<Eigen::Vector3d>& positions, double height,
+                                const Eigen::Vector2d& axis) {
+  GarmentGirth result;
+  if (positions.size() != cloth.rest_positions.size()) return result;
+  std::vector<Chain> chains = LinkChains(CutTorso(cloth, positions, height));
+  // A whole curve round the axis; of several (folds of a hem) the longest.
+  for (const Chain& chain : chains) {
+    if (!chain.closed || std::abs(TurnsRound(chain.points, true, axis)) < 0.5) continue;
+    const double length = Length(chain.points, true);
+    if (length <= result.girth) continue;
+    result = {true, length, HullLength(chain.points), 0.0};
+  }
+  if (result.found) return result;
+  // Otherwise the open pieces between the armholes. Closed curves beside the axis are folds.
+  std::erase_if(chains, [](const Chain& chain) { return chain.closed; });
+  if (chains.empty()) return result;
+  double bridged_length = 0.0;
+  const std::vector<Point> curve = JoinChains(std::move(chains), bridged_length);
+  if (std::abs(TurnsRound(curve, true, axis)) < 0.5) return result;
+  return {true, Length(curve, true), HullLength(curve), bridged_length};
+}
+
+}  // namespace fitroom

@@ -1,0 +1,203 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstddef>
+#include <cstdio>
+
+#include "fit_client/report/fit_report.h"
+
+namespace fitroom {
+namespace {
+
+constexpr size_t kColumns = 100;
+constexpr size_t kNameColumns = 16;  // Of the names on the left, indent included.
+
+// Limits that the text judges by; the method asks for them of every garment that is large enough.
+constexpr double kSeamGapLimit = 5e-4;  // (unit: metre)
+constexpr double kStrainLimit = 0.05;   // Of the 95th percentile.
+
+// Formats like printf.
+[[gnu::format(printf, 1, 2)]] std::string Format(const char* format, ...) {
+  std::va_list arguments;
+  va_start(arguments, format);
+  char buffer[256];
+  const int length = std::vsnprintf(buffer, sizeof(buffer), format, arguments);
+  va_end(arguments);
+  return std::string(buffer, std::min(static_cast<size_t>(std::max(length, 0)), sizeof(buffer) - 1));
+}
+
+// Returns a number with its unit; a number that is none says so.
+std::string Quantity(double value, int decimals, const char* unit) {
+  if (!std::isfinite(value)) return "unknown";
+  return Format("%.*f %s", decimals, value, unit);
+}
+
+// Returns 12345 as "12,345".
+std::string Count(int64_t value) {
+  std::string digits = std::to_string(value);
+  for (std::ptrdiff_t i = static_cast<std::ptrdiff_t>(digits.size()) - 3; i > (value < 0 ? 1 : 0); i -= 3) {
+    digits.insert(static_cast<size_t>(i), ",");
+  }
+  return digits;
+}
+
+// Returns a string from outside without anything that could steer a terminal.
+std::string Printable(std::string_view text) {
+  std::string clean(text);
+  for (char& c : clean) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
+  }
+  // C1 control characters as UTF-8: 0xC2 0x80 … 0xC2 0x9F.
+  for (size_t i = 0; i + 1 < clean.size(); ++i) {
+    if (clean[i] == '\xC2' && static_cast<unsigned char>(clean[i + 1]) < 0xA0) clean[i] = clean[i + 1] = ' ';
+  }
+  return clean;
+}
+
+// Collects lines: a name on the left, and text that is wrapped beside it.
+class Page {
+ public:
+  void Heading(const std::string& text) {
+    if (!text_.empty()) text_ += "\n";
+    text_ += text + "\n";
+  }
+  void Line(const std::string& text) { text_ += text + "\n"; }
+  void Entry(const std::string& name, const std::string& value) {
+    std::string line = "  " + name;
+    line.resize(std::max(line.size() + 2, kNameColumns), ' ');
+    Wrapped(line, Printable(value));
+  }
+  void Bullet(const std::string& text) { Wrapped("  - ", Printable(text)); }
+  std::string text() const { return text_; }
+
+ private:
+  // Writes `first` and then the words of `value`, on as many lines as they need.
+  void Wrapped(const std::string& first, const std::string& value) {
+    const std::string indent(first.size(), ' ');
+    std::string line = first;
+    bool line_has_word = false;
+    for (size_t start = 0; start < value.size();) {
+      const size_t end = std::min(value.find(' ', start), value.size());
+      const std::string word = value.substr(start, end - start);
+      if (line_has_word && line.size() + 1 + word.size() > kColumns) {
+        text_ += line + "\n";
+        line = indent;
+        line_has_word = false;
+      }
+      line += (line_has_word ? " " : "") + word;
+      line_has_word = true;
+      start = end + 1;
+    }
+    text_ += line + "\n";
+  }
+  std::string text_;
+};
+
+void WriteWhat(const FitReport& report, Page& page) {
+  const std::string title = Printable(report.garment_title.empty() ? report.garment : report.garment_title);
+  page.Heading("Fit of " + title + " on " + Printable(report.body));
+  page.Entry("garment", Printable(report.garment) + ", " + Printable(report.garment_kind) + ", length " +
+                            Quantity(report.garment_length * 1e2, 1, "cm"));
+  page.Entry("body", "stature " + Quantity(report.body_stature * 1e2, 1, "cm") + ", " +
+                         Count(report.body_triangle_count) + " triangles");
+  for (const std::string& note : report.body_notes) page.Entry("", note);
+  page.Entry("profile", report.profile);
+}
+
+void WriteHow(const FitReport& report, Page& page) {
+  page.Heading(report.finished ? "Result: worn and at rest" : "Result: NOT FINISHED");
+  page.Entry(report.finished ? "ended" : "why", report.finishing_text + " [" + report.finishing_reason + "]");
+  for (const StageOutcome& stage : report.stages) {
+    page.Entry(stage.name, stage.substep_count > 0 ? stage.outcome + " (" + Count(stage.substep_count) + " substeps)"
+                                                   : stage.outcome);
+  }
+  for (const Residual& residual : report.residuals) {
+    const bool met = residual.value <= residual.limit;
+    const bool is_length = residual.unit == "m" || residual.unit == "m/s";
+    const double scale = is_length ? 1e3 : 1.0;
+    const std::string unit = (is_length ? "m" : "") + residual.unit;
+    page.Entry("condition", Format("%s: %.3g %s, limit %.3g %s: ", met ? "met" : "NOT MET", residual.value * scale,
+                                   unit.c_str(), residual.limit * scale, unit.c_str()) +
+                                residual.name);
+  }
+}
+
+void WriteEase(const FitReport& report, Page& page) {
+  if (report.ease.empty()) return;
+  page.Heading("Ease: how much wider the worn garment is than the body");
+  page.Line(Format("  %-14s%8s%13s%13s%11s%13s", "", "garment", "body", "ease", "", "at height"));
+  for (const EaseAtPlace& ease : report.ease) {
+    if (!ease.measured) {
+      page.Entry(ease.place, "not measured" + (ease.note.empty() ? std::string() : ": " + ease.note));
+      continue;
+    }
+    page.Line(Format("  %-14s%5.1f cm%10.1f cm%+10.1f cm%+9.1f %%%10.1f cm", Printable(ease.place).c_str(),
+                     ease.garment_girth * 1e2, ease.body_girth * 1e2, ease.ease() * 1e2, ease.relative_ease() * 1e2,
+                     ease.height * 1e2));
+    if (!ease.note.empty()) page.Entry("", ease.note);
+  }
+}
+
+void WriteChecks(const FitReport& report, Page& page) {
+  const auto verdict = [](bool good) { return std::string(good ? "good: " : "NOT GOOD: "); };
+  page.Heading("What came out");
+  const SeamGapSummary& seams = report.seams;
+  page.Entry("seams",
+             verdict(seams.open_pair_count == 0 && seams.max <= kSeamGapLimit) + Count(seams.pair_count) + " pairs, " +
+                 Count(seams.open_pair_count) + " open; gap mean " +
+                 Format("%.2f, 95 %% below %.2f, largest %.2f mm", seams.mean * 1e3, seams.p95 * 1e3, seams.max * 1e3));
+  const PenetrationSummary& inside = report.penetration;
+  page.Entry("inside body", verdict(inside.particle_count_inside == 0 && inside.triangle_sample_count_inside == 0) +
+                                Count(inside.particle_count_inside) + " of " + Count(report.particle_count) +
+                                " particles, " + Count(inside.triangle_sample_count_inside) + " of " +
+                                Count(inside.triangle_sample_count) + " points between them; deepest " +
+                                Format("%.2f mm", inside.deepest * 1e3));
+  const StrainSummary& strain = report.strain;
+  page.Entry("strain",
+             verdict(strain.p95 < kStrainLimit) +
+                 Format("half of the cloth below %.1f %%, 95 %% below %.1f %%, 99 %% below %.1f %%, most %.1f %%",
+                        strain.p50 * 1e2, strain.p95 * 1e2, strain.p99 * 1e2, strain.max * 1e2));
+  page.Entry("cloth", verdict(report.euler_characteristic == report.expected_euler_characteristic) +
+                          Count(report.particle_count) + " particles, " + Count(report.triangle_count) +
+                          " triangles, edges of " + Quantity(report.mean_edge_length * 1e3, 1, "mm") +
+                          Format("; Euler characteristic %d, expected %d", report.euler_characteristic,
+                                 report.expected_euler_characteristic));
+}
+
+void WriteCost(const FitReport& report, Page& page) {
+  page.Heading("Time and memory");
+  std::string times;
+  for (const StageTime& time : report.times) {
+    times += (times.empty() ? "" : ", ") + time.name + Format(" %.2f s", time.seconds);
+  }
+  page.Entry("total", Quantity(report.total_seconds, 2, "s") +
+                          Format(" on %d thread%s", report.thread_count, report.thread_count == 1 ? "" : "s"));
+  if (!times.empty()) page.Entry("of which", times);
+  page.Entry("memory", Quantity(static_cast<double>(report.peak_rss_bytes) / 1e6, 0, "MB at most"));
+}
+
+}  // namespace
+
+std::string WriteText(const FitReport& report) {
+  Page page;
+  WriteWhat(report, page);
+  if (!report.warnings.empty()) {
+    page.Heading("Take care");
+    for (const std::string& warning : report.warnings) page.Bullet(warning);
+  }
+  WriteHow(report, page);
+  WriteEase(report, page);
+  WriteChecks(report, page);
+  if (!report.notes.empty()) {
+    page.Heading("Good to know");
+    for (const std::string& note : report.notes) page.Bullet(note);
+  }
+  WriteCost(report, page);
+  if (!report.files.empty()) {
+    page.Heading("Files");
+    for (const OutputFile& file : report.files) page.Entry(file.name, file.description);
+  }
+  return page.text();
+}
+
+}  // namespace fitroom

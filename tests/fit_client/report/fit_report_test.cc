@@ -1,0 +1,150 @@
+#include "fit_client/report/fit_report.h"
+
+#include <limits>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace fitroom {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+FitReport MakeReport() {
+  FitReport report;
+  report.program_version = "1.2.3";
+  report.body = "p001";
+  report.body_stature = 1.612;
+  report.body_triangle_count = 257308;
+  report.garment = "cubes";
+  report.garment_title = "White cubes";
+  report.garment_kind = "tshirt";
+  report.garment_length = 0.68;
+  report.profile = "standard";
+  report.thread_count = 2;
+  report.finished = true;
+  report.finishing_reason = "AT_REST";
+  report.finishing_text = "The shoulders lie on the body and 98.6 % of the particles rest.";
+  report.stages = {{"stitching", "all seams closed", 1212}};
+  report.residuals = {{"shoulder points to body", "shoulder_distance", 0.004, 0.005, "m"},
+                      {"speed of 98.5 % of the particles", "speed_p985", 0.03, 0.018, "m/s"}};
+  report.seams = {412, 0, 0.0001, 0.0002, 0.0004};
+  report.penetration = {0, 16000, 3, 0.0007};
+  report.strain = {0.01, 0.03, 0.06, 0.12};
+  report.ease = {{"bust", true, 1.18, 0.98, 0.86, ""}, {"hip", false, 0, 0, 0, "the garment ends above it"}};
+  report.euler_characteristic = -2;
+  report.expected_euler_characteristic = -2;
+  report.particle_count = 8574;
+  report.triangle_count = 16500;
+  report.mean_edge_length = 0.01;
+  report.substep_count = 2000;
+  report.times = {{"drape", 1.5}, {"pictures", 0.75}};
+  report.total_seconds = 3.25;
+  report.peak_rss_bytes = 321000000;
+  report.warnings = {"The hem was cropped."};
+  report.files = {{"front.png", "front view", 123456}};
+  return report;
+}
+
+TEST(FitReportJson, HoldsTheValuesInTheUnitsOfItsNames) {
+  const nlohmann::json json = nlohmann::json::parse(WriteJson(MakeReport()));
+  EXPECT_NEAR(json["body"]["stature_cm"].get<double>(), 161.2, 1e-9);
+  EXPECT_NEAR(json["garment"]["length_cm"].get<double>(), 68.0, 1e-9);
+  EXPECT_NEAR(json["seams"]["gap_p95_mm"].get<double>(), 0.2, 1e-12);
+  EXPECT_NEAR(json["penetration"]["deepest_mm"].get<double>(), 0.7, 1e-12);
+  EXPECT_NEAR(json["strain"]["p95_percent"].get<double>(), 3.0, 1e-12);
+  EXPECT_NEAR(json["ease"]["bust"]["ease_cm"].get<double>(), 12.0, 1e-9);
+  EXPECT_NEAR(json["ease"]["bust"]["ease_percent"].get<double>(), 100.0 * 0.12 / 0.86, 1e-9);
+  EXPECT_NEAR(json["peak_rss_mb"].get<double>(), 321.0, 1e-9);
+  EXPECT_EQ(json["penetration"]["triangle_sample_count_inside"], 3);
+  EXPECT_EQ(json["finishing_reason"], "AT_REST");
+  EXPECT_EQ(json["finished"], true);
+  EXPECT_EQ(json["files"][0]["size_bytes"], 123456);
+  EXPECT_EQ(json["times"][1]["name"], "pictures");
+  EXPECT_EQ(json["mesh"]["euler_characteristic"], -2);
+}
+
+TEST(FitReportJson, APlaceThatWasNotMeasuredHasNoNumbers) {
+  const nlohmann::json json = nlohmann::json::parse(WriteJson(MakeReport()));
+  EXPECT_EQ(json["ease"]["hip"]["measured"], false);
+  EXPECT_FALSE(json["ease"]["hip"].contains("ease_cm"));
+  EXPECT_EQ(json["ease"]["hip"]["note"], "the garment ends above it");
+}
+
+TEST(FitReportJson, StaysJsonWhateverComesIn) {
+  FitReport report = MakeReport();
+  report.garment_title = "\xFF\xFE \"quoted\"\n";
+  report.strain.max = std::numeric_limits<double>::quiet_NaN();
+  report.residuals[0].value = std::numeric_limits<double>::infinity();
+  const nlohmann::json json = nlohmann::json::parse(WriteJson(report));
+  EXPECT_TRUE(json["strain"]["max_percent"].is_null());
+  EXPECT_TRUE(json["residuals"][0]["value"].is_null());
+  EXPECT_EQ(json["residuals"][0]["met"], false);
+}
+
+TEST(FitReportText, SaysWhatAShopperAsks) {
+  const std::string text = WriteText(MakeReport());
+  EXPECT_THAT(text, HasSubstr("Fit of White cubes on p001\n"));
+  EXPECT_THAT(text, HasSubstr("Result: worn and at rest"));
+  EXPECT_THAT(text, HasSubstr("98.0 cm"));
+  EXPECT_THAT(text, HasSubstr("+12.0 cm"));
+  EXPECT_THAT(text, HasSubstr("+14.0 %"));
+  EXPECT_THAT(text, HasSubstr("not measured: the garment ends above it"));
+  EXPECT_THAT(text, HasSubstr("257,308 triangles"));
+  EXPECT_THAT(text, HasSubstr("3.25 s on 2 threads"));
+  EXPECT_THAT(text, HasSubstr("The hem was cropped."));
+}
+
+TEST(FitReportText, DoesNotCallGoodWhatIsNot) {
+  FitReport report = MakeReport();
+  // Three points inside the body, and a residual above its limit, are in the report already.
+  EXPECT_THAT(WriteText(report), HasSubstr("NOT GOOD: 0 of 8,574 particles, 3 of 16,000 points"));
+  EXPECT_THAT(WriteText(report), HasSubstr("NOT MET: 30 mm/s, limit 18 mm/s"));
+  report.penetration = {0, 16000, 0, 0.0};
+  report.residuals.clear();
+  EXPECT_THAT(WriteText(report), Not(HasSubstr("NOT")));
+  report.seams.max = 0.0006;
+  EXPECT_THAT(WriteText(report), HasSubstr("NOT GOOD: 412 pairs, 0 open"));
+  report.seams.max = 0.0004;
+  report.seams.open_pair_count = 1;
+  EXPECT_THAT(WriteText(report), HasSubstr("NOT GOOD: 412 pairs, 1 open"));
+  report.seams.open_pair_count = 0;
+  report.strain.p95 = 0.051;
+  EXPECT_THAT(WriteText(report), HasSubstr("NOT GOOD: half of the cloth"));
+  report.strain.p95 = 0.03;
+  report.euler_characteristic = -1;
+  EXPECT_THAT(WriteText(report), HasSubstr("NOT GOOD: 8,574 particles"));
+  report.finished = false;
+  EXPECT_THAT(WriteText(report), HasSubstr("Result: NOT FINISHED"));
+}
+
+TEST(FitReportText, FitsATerminalAndCannotSteerIt) {
+  FitReport report = MakeReport();
+  report.finishing_text =
+      "The seams do not close: a gap of 31 mm stays at the left underarm, at a height of 128 cm, "
+      "because the garment is too small for this body by more than its cloth can stretch.";
+  report.garment_title =
+      "red \x1B[31mred\x07 \xC2\x9B"
+      "31m";
+  report.notes = {std::string(300, 'x') + " tail"};
+  const std::string text = WriteText(report);
+  for (const char c : text) EXPECT_TRUE(c == '\n' || static_cast<unsigned char>(c) >= 0x20);
+  EXPECT_THAT(text, Not(HasSubstr("\xC2\x9B")));
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const bool is_one_long_word = line.find("xxx") != std::string::npos;
+    EXPECT_TRUE(is_one_long_word || line.size() <= 100U) << line;
+  }
+  EXPECT_EQ(text.back(), '\n');
+}
+
+TEST(FitReportText, AnEmptyReportIsStillAReport) {
+  EXPECT_THAT(WriteText(FitReport()), HasSubstr("Result: NOT FINISHED"));
+  EXPECT_FALSE(nlohmann::json::parse(WriteJson(FitReport())).empty());
+}
+
+}  // namespace
+}  // namespace fitroom
