@@ -1,0 +1,284 @@
+#include "body_center/store/sqlite_body_store.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <ctime>
+#include <mutex>
+#include <random>
+#include <utility>
+
+#include "body_center/store/sqlite_scan_rows.h"
+#include "common/base/folder_lock.h"
+#include "common/codec/zstd.h"
+#include "common/sqlite/blob_table.h"
+#include "common/sqlite/database.h"
+
+namespace fitroom::body_center {
+namespace {
+
+using sqlite::Database;
+using sqlite::Statement;
+using sqlite::Transaction;
+
+// How much of an original goes into one frame (unit: byte): its frame fits a 1 MiB row even if it does not shrink.
+constexpr size_t kOriginalBlockSize = size_t{960} << 10;
+constexpr int kOriginalZstdLevel = 3;
+
+struct UploadRow {
+  Upload upload;
+  int64_t blob = 0;
+};
+
+// A stretch of bytes in its stored form.
+struct PackedBlock {
+  int64_t size = 0;
+  std::string stored;
+};
+
+std::string NewUploadId() {
+  std::random_device source;
+  std::array<char, 33> text{};
+  std::snprintf(text.data(), text.size(), "%08x%08x%08x%08x", source(), source(), source(), source());
+  return text.data();
+}
+
+std::span<const std::byte> AsBytes(std::string_view text) { return std::as_bytes(std::span(text.data(), text.size())); }
+std::string_view AsText(std::span<const std::byte> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+Status UploadNotFound() {
+  return NotFound("UPLOAD_NOT_FOUND", "no such upload: it is finished, cancelled or dropped; start it again");
+}
+
+Status ScanExists(const ScanName& name) {
+  return Status(StatusCode::kAlreadyExists, "SCAN_EXISTS",
+                "bodies/" + name.body + "/scans/" + name.scan + " is registered already; choose another scan id");
+}
+
+std::vector<PackedBlock> PackBlocks(std::string_view bytes) {
+  std::vector<PackedBlock> blocks;
+  for (size_t start = 0; start < bytes.size(); start += kOriginalBlockSize) {
+    const std::string_view part = bytes.substr(start, kOriginalBlockSize);
+    blocks.push_back({static_cast<int64_t>(part.size()), ZstdCompress(part, kOriginalZstdLevel)});
+  }
+  return blocks;
+}
+
+Result<std::string> UnpackBlock(const sqlite::BlobBlock& block) {
+  const ZstdLimits limits{.max_size = kOriginalBlockSize, .max_ratio = 1e6};
+  Result<std::string> bytes = ZstdDecompress(AsText(block.stored), limits);
+  if (!bytes.ok() || std::ssize(*bytes) != block.size) {
+    return DataLoss("DATABASE_CORRUPT", "database: a block of an original is damaged; restore it from a backup");
+  }
+  return bytes;
+}
+
+class SqliteBodyStore final : public BodyStore {
+ public:
+  SqliteBodyStore(FolderLock lock, Database writer, Database reader)
+      : lock_(std::move(lock)), writer_(std::move(writer)), reader_(std::move(reader)) {}
+
+  ~SqliteBodyStore() override { (void)writer_.Checkpoint(); }
+
+  Result<Upload> StartUpload(const UploadStatement& statement) override {
+    const std::lock_guard guard(writer_mutex_);
+    FR_ASSIGN_OR_RETURN(Transaction transaction, Transaction::Begin(writer_));
+    if (SelectScan(writer_, statement.name).ok()) return ScanExists(statement.name);
+    Result<UploadRow> found =
+        SelectUpload(writer_, "body = ?1 AND scan = ?2", statement.name.body, statement.name.scan);
+    if (found.ok()) {
+      if (found->upload.statement == statement) return found->upload;
+      return FailedPrecondition("UPLOAD_DIFFERS",
+                                "another file is being uploaded under this name; wait until it is "
+                                "finished or dropped, or choose another scan id");
+    }
+    if (found.status().code() != StatusCode::kNotFound) return found.status();
+    Upload upload{.id = NewUploadId(), .statement = statement};
+    FR_ASSIGN_OR_RETURN(const int64_t blob, sqlite::CreateBlob(writer_));
+    FR_RETURN_IF_ERROR(InsertUpload(upload, blob));
+    FR_RETURN_IF_ERROR(transaction.Commit());
+    return upload;
+  }
+
+  Result<Upload> FindUpload(std::string_view id) override {
+    const std::lock_guard guard(writer_mutex_);
+    FR_ASSIGN_OR_RETURN(UploadRow row, SelectUpload(writer_, "upload = ?1 AND ?2 = ''", id, ""));
+    return std::move(row.upload);
+  }
+
+  Result<int64_t> AppendToUpload(std::string_view id, int64_t offset, std::string_view bytes) override {
+    const std::vector<PackedBlock> blocks = PackBlocks(bytes);
+    const std::lock_guard guard(writer_mutex_);
+    FR_ASSIGN_OR_RETURN(Transaction transaction, Transaction::Begin(writer_));
+    FR_ASSIGN_OR_RETURN(const UploadRow row, SelectUpload(writer_, "upload = ?1 AND ?2 = ''", id, ""));
+    int64_t end = offset;
+    for (const PackedBlock& block : blocks) {
+      FR_RETURN_IF_ERROR(sqlite::AppendBlobBlock(writer_, row.blob, {end, block.size, AsBytes(block.stored)}));
+      end += block.size;
+    }
+    if (end > row.upload.statement.size) {
+      return Status(StatusCode::kOutOfRange, "UPLOAD_TOO_LONG", "more bytes than were stated at the start");
+    }
+    FR_ASSIGN_OR_RETURN(Statement touch,
+                        writer_.Prepare("UPDATE uploads SET touch_time_unix_s = ?1 WHERE upload = ?2"));
+    FR_RETURN_IF_ERROR(touch.Bind(1, int64_t{std::time(nullptr)}).Bind(2, id).Run());
+    FR_RETURN_IF_ERROR(transaction.Commit());
+    return end;
+  }
+
+  Result<std::string> ReadUpload(std::string_view id) override {
+    const std::lock_guard guard(reader_mutex_);
+    FR_ASSIGN_OR_RETURN(const UploadRow row, SelectUpload(reader_, "upload = ?1 AND ?2 = ''", id, ""));
+    std::string bytes;
+    bytes.reserve(static_cast<size_t>(row.upload.committed_size));
+    FR_RETURN_IF_ERROR(sqlite::VisitBlobBlocks(reader_, row.blob, [&](const sqlite::BlobBlock& block) -> Status {
+      FR_ASSIGN_OR_RETURN(const std::string part, UnpackBlock(block));
+      bytes += part;
+      return Status();
+    }));
+    return bytes;
+  }
+
+  Status DropUpload(std::string_view id) override {
+    const std::lock_guard guard(writer_mutex_);
+    FR_ASSIGN_OR_RETURN(Transaction transaction, Transaction::Begin(writer_));
+    const Result<UploadRow> row = SelectUpload(writer_, "upload = ?1 AND ?2 = ''", id, "");
+    if (!row.ok()) return row.status().code() == StatusCode::kNotFound ? Status() : row.status();
+    FR_RETURN_IF_ERROR(DeleteUpload(id));
+    FR_RETURN_IF_ERROR(sqlite::DeleteBlob(writer_, row->blob));
+    return transaction.Commit();
+  }
+
+  Result<int64_t> DropUploadsBefore(int64_t unix_s) override {
+    std::vector<std::string> ids;
+    {
+      const std::lock_guard guard(writer_mutex_);
+      FR_ASSIGN_OR_RETURN(Statement select, writer_.Prepare("SELECT upload FROM uploads WHERE touch_time_unix_s < ?1"));
+      select.Bind(1, unix_s);
+      for (;;) {
+        FR_ASSIGN_OR_RETURN(const bool has_row, select.Step());
+        if (!has_row) break;
+        ids.push_back(select.Text(0));
+      }
+    }
+    for (const std::string& id : ids) FR_RETURN_IF_ERROR(DropUpload(id));
+    return static_cast<int64_t>(ids.size());
+  }
+
+  Status PublishScan(std::string_view upload_id, const StoredScan& scan, std::string_view packed_mesh) override {
+    const std::lock_guard guard(writer_mutex_);
+    FR_ASSIGN_OR_RETURN(Transaction transaction, Transaction::Begin(writer_));
+    FR_ASSIGN_OR_RETURN(const UploadRow row, SelectUpload(writer_, "upload = ?1 AND ?2 = ''", upload_id, ""));
+    const UploadStatement& statement = row.upload.statement;
+    if (row.upload.committed_size != statement.size) {
+      return FailedPrecondition("UPLOAD_INCOMPLETE",
+                                "bytes are missing; ask how far the upload is and go on from there");
+    }
+    FR_CHECK(scan.name == statement.name && scan.original_hash == statement.hash);
+    FR_CHECK(scan.original_size == statement.size && scan.packed_mesh_size == std::ssize(packed_mesh));
+    if (SelectScan(writer_, scan.name).ok()) return ScanExists(scan.name);
+    FR_ASSIGN_OR_RETURN(const int64_t mesh_blob, sqlite::CreateBlob(writer_));
+    for (size_t start = 0; start < packed_mesh.size(); start += sqlite::kMaxBlobRowSize) {
+      const std::string_view part = packed_mesh.substr(start, sqlite::kMaxBlobRowSize);
+      FR_RETURN_IF_ERROR(sqlite::AppendBlobBlock(
+          writer_, mesh_blob, {static_cast<int64_t>(start), static_cast<int64_t>(part.size()), AsBytes(part)}));
+    }
+    FR_RETURN_IF_ERROR(InsertScan(writer_, scan, row.blob, mesh_blob));
+    FR_RETURN_IF_ERROR(DeleteUpload(upload_id));
+    return transaction.Commit();
+  }
+
+  Result<StoredScan> FindScan(const ScanName& name) override {
+    const std::lock_guard guard(reader_mutex_);
+    return SelectScan(reader_, name);
+  }
+
+  Result<std::vector<StoredScan>> ListScans(std::string_view body, const ScanName& after, int limit) override {
+    const std::lock_guard guard(reader_mutex_);
+    return SelectScans(reader_, body, after, limit);
+  }
+
+  Result<std::string> ReadContent(const ScanName& name, ScanContent content, int64_t offset) override {
+    const std::lock_guard guard(reader_mutex_);
+    FR_ASSIGN_OR_RETURN(const ContentRow row, SelectContent(reader_, name, content));
+    if (offset == row.size) return std::string();
+    std::string bytes;
+    FR_RETURN_IF_ERROR(sqlite::VisitBlobBlock(reader_, row.blob, offset, [&](const sqlite::BlobBlock& block) -> Status {
+      if (content == ScanContent::kPackedMesh) {
+        bytes = AsText(block.stored);
+      } else {
+        FR_ASSIGN_OR_RETURN(bytes, UnpackBlock(block));
+      }
+      bytes.erase(0, static_cast<size_t>(offset - block.offset));
+      return Status();
+    }));
+    return bytes;
+  }
+
+ private:
+  // `condition` is one of this file's literals over ?1 and ?2.
+  static Result<UploadRow> SelectUpload(Database& database, const char* condition, std::string_view first,
+                                        std::string_view second) {
+    FR_ASSIGN_OR_RETURN(Statement select,
+                        database.Prepare(std::string("SELECT upload, body, scan, file_name, uploads.size_bytes, "
+                                                     "blake2b_256, up, facing, unit, blob_id, blobs.size_bytes "
+                                                     "FROM uploads JOIN blobs USING (blob_id) WHERE ") +
+                                         condition));
+    FR_ASSIGN_OR_RETURN(const bool has_row, select.Bind(1, first).Bind(2, second).Step());
+    if (!has_row) return UploadNotFound();
+    UploadRow row;
+    row.upload.id = select.Text(0);
+    UploadStatement& statement = row.upload.statement;
+    statement.name = {select.Text(1), select.Text(2)};
+    statement.file_name = select.Text(3);
+    statement.size = select.Integer(4);
+    FR_ASSIGN_OR_RETURN(statement.hash, HashFromRow(select, 5));
+    statement.up = select.Text(6);
+    statement.facing = select.Text(7);
+    statement.unit = select.Text(8);
+    row.blob = select.Integer(9);
+    row.upload.committed_size = select.Integer(10);
+    return row;
+  }
+
+  Status InsertUpload(const Upload& upload, int64_t blob) {
+    const UploadStatement& statement = upload.statement;
+    FR_ASSIGN_OR_RETURN(Statement insert,
+                        writer_.Prepare("INSERT INTO uploads (upload, body, scan, file_name, size_bytes, blake2b_256, "
+                                        "up, facing, unit, blob_id, touch_time_unix_s) "
+                                        "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11)"));
+    insert.Bind(1, upload.id).Bind(2, statement.name.body).Bind(3, statement.name.scan).Bind(4, statement.file_name);
+    insert.Bind(5, statement.size).Bind(6, HashBytes(statement.hash));
+    insert.Bind(7, statement.up).Bind(8, statement.facing).Bind(9, statement.unit);
+    return insert.Bind(10, blob).Bind(11, int64_t{std::time(nullptr)}).Run();
+  }
+
+  Status DeleteUpload(std::string_view id) {
+    FR_ASSIGN_OR_RETURN(Statement remove, writer_.Prepare("DELETE FROM uploads WHERE upload = ?1"));
+    return remove.Bind(1, id).Run();
+  }
+
+  FolderLock lock_;
+  std::mutex writer_mutex_;
+  Database writer_;  // The only connection that writes and checkpoints.
+  std::mutex reader_mutex_;
+  Database reader_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<BodyStore>> OpenSqliteBodyStore(const std::filesystem::path& folder) {
+  FR_ASSIGN_OR_RETURN(FolderLock lock, FolderLock::Take(folder));
+  const std::filesystem::path path = folder / "body_center.sqlite";
+  FR_ASSIGN_OR_RETURN(Database writer, Database::Open(path, sqlite::Access::kReadWrite));
+  const std::string first = std::string(sqlite::kBlobSchema) + kScanSchema;
+  const std::array<const char*, 1> migrations = {first.c_str()};
+  FR_RETURN_IF_ERROR(writer.Migrate(migrations));
+  FR_ASSIGN_OR_RETURN(Database reader, Database::Open(path, sqlite::Access::kReadOnly));
+  return std::unique_ptr<BodyStore>(
+      std::make_unique<SqliteBodyStore>(std::move(lock), std::move(writer), std::move(reader)));
+}
+
+}  // namespace fitroom::body_center
