@@ -26,7 +26,7 @@ constexpr size_t kOriginalBlockSize = size_t{960} << 10;
 constexpr int kOriginalZstdLevel = 3;
 
 struct UploadRow {
-  Upload upload;
+  ScanUpload upload;
   int64_t blob = 0;
 };
 
@@ -54,7 +54,7 @@ Status UploadNotFound() {
 
 Status ScanExists(const ScanName& name) {
   return Status(StatusCode::kAlreadyExists, "SCAN_EXISTS",
-                "bodies/" + name.body + "/scans/" + name.scan + " is registered already; choose another scan id");
+                ToString(name) + " is registered already; choose another scan id");
 }
 
 std::vector<PackedBlock> PackBlocks(std::string_view bytes) {
@@ -82,7 +82,7 @@ class SqliteBodyStore final : public BodyStore {
 
   ~SqliteBodyStore() override { (void)writer_.Checkpoint(); }
 
-  Result<Upload> StartUpload(const UploadStatement& statement) override {
+  Result<ScanUpload> StartUpload(const ScanUploadStatement& statement) override {
     const std::lock_guard guard(writer_mutex_);
     FR_ASSIGN_OR_RETURN(Transaction transaction, Transaction::Begin(writer_));
     if (SelectScan(writer_, statement.name).ok()) return ScanExists(statement.name);
@@ -95,14 +95,14 @@ class SqliteBodyStore final : public BodyStore {
                                 "finished or dropped, or choose another scan id");
     }
     if (found.status().code() != StatusCode::kNotFound) return found.status();
-    Upload upload{.id = NewUploadId(), .statement = statement};
+    ScanUpload upload{.id = NewUploadId(), .statement = statement};
     FR_ASSIGN_OR_RETURN(const int64_t blob, sqlite::CreateBlob(writer_));
     FR_RETURN_IF_ERROR(InsertUpload(upload, blob));
     FR_RETURN_IF_ERROR(transaction.Commit());
     return upload;
   }
 
-  Result<Upload> FindUpload(std::string_view id) override {
+  Result<ScanUpload> FindUpload(std::string_view id) override {
     const std::lock_guard guard(writer_mutex_);
     FR_ASSIGN_OR_RETURN(UploadRow row, SelectUpload(writer_, "upload = ?1 AND ?2 = ''", id, ""));
     return std::move(row.upload);
@@ -167,11 +167,11 @@ class SqliteBodyStore final : public BodyStore {
     return static_cast<int64_t>(ids.size());
   }
 
-  Status PublishScan(std::string_view upload_id, const StoredScan& scan, std::string_view packed_mesh) override {
+  Status PublishScan(std::string_view upload_id, const ScanRecord& scan, std::string_view packed_mesh) override {
     const std::lock_guard guard(writer_mutex_);
     FR_ASSIGN_OR_RETURN(Transaction transaction, Transaction::Begin(writer_));
     FR_ASSIGN_OR_RETURN(const UploadRow row, SelectUpload(writer_, "upload = ?1 AND ?2 = ''", upload_id, ""));
-    const UploadStatement& statement = row.upload.statement;
+    const ScanUploadStatement& statement = row.upload.statement;
     if (row.upload.committed_size != statement.size) {
       return FailedPrecondition("UPLOAD_INCOMPLETE",
                                 "bytes are missing; ask how far the upload is and go on from there");
@@ -190,12 +190,12 @@ class SqliteBodyStore final : public BodyStore {
     return transaction.Commit();
   }
 
-  Result<StoredScan> FindScan(const ScanName& name) override {
+  Result<ScanRecord> FindScan(const ScanName& name) override {
     const std::lock_guard guard(reader_mutex_);
     return SelectScan(reader_, name);
   }
 
-  Result<std::vector<StoredScan>> ListScans(std::string_view body, const ScanName& after, int limit) override {
+  Result<std::vector<ScanRecord>> ListScans(std::string_view body, const ScanName& after, int limit) override {
     const std::lock_guard guard(reader_mutex_);
     return SelectScans(reader_, body, after, limit);
   }
@@ -230,7 +230,7 @@ class SqliteBodyStore final : public BodyStore {
     if (!has_row) return UploadNotFound();
     UploadRow row;
     row.upload.id = select.Text(0);
-    UploadStatement& statement = row.upload.statement;
+    ScanUploadStatement& statement = row.upload.statement;
     statement.name = {select.Text(1), select.Text(2)};
     statement.file_name = select.Text(3);
     statement.size = select.Integer(4);
@@ -243,8 +243,8 @@ class SqliteBodyStore final : public BodyStore {
     return row;
   }
 
-  Status InsertUpload(const Upload& upload, int64_t blob) {
-    const UploadStatement& statement = upload.statement;
+  Status InsertUpload(const ScanUpload& upload, int64_t blob) {
+    const ScanUploadStatement& statement = upload.statement;
     FR_ASSIGN_OR_RETURN(Statement insert,
                         writer_.Prepare("INSERT INTO uploads (upload, body, scan, file_name, size_bytes, blake2b_256, "
                                         "up, facing, unit, blob_id, touch_time_unix_s) "

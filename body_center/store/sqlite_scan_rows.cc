@@ -76,11 +76,11 @@ constexpr char kScanColumns[] =
     "frame_tilt_deg, frame_yaw_deg, frame_reasons, stature_m, bust_girth_m, bust_height_m, waist_girth_m, "
     "waist_height_m, hip_girth_m, hip_height_m, neck_girth_m, neck_height_m";
 
-using LimbField = std::pair<const char*, LimbAxis StoredScan::*>;
-constexpr std::array<LimbField, 4> kLimbs = {{{"arm_L", &StoredScan::arm_left},
-                                              {"arm_R", &StoredScan::arm_right},
-                                              {"leg_L", &StoredScan::leg_left},
-                                              {"leg_R", &StoredScan::leg_right}}};
+using LimbField = std::pair<const char*, LimbAxis ScanRecord::*>;
+constexpr std::array<LimbField, 4> kLimbs = {{{"arm_L", &ScanRecord::arm_left},
+                                              {"arm_R", &ScanRecord::arm_right},
+                                              {"leg_L", &ScanRecord::leg_left},
+                                              {"leg_R", &ScanRecord::leg_right}}};
 
 std::array<GirthMeasurement*, 4> Girths(BodyMeasurements& measurements) {
   return {&measurements.bust, &measurements.waist, &measurements.hip, &measurements.neck};
@@ -114,7 +114,7 @@ Eigen::Vector3d ReadPoint(const Statement& statement, int column) {
   return {statement.Real(column), statement.Real(column + 1), statement.Real(column + 2)};
 }
 
-Status InsertDetails(Database& database, const StoredScan& scan, int64_t key) {
+Status InsertDetails(Database& database, const ScanRecord& scan, int64_t key) {
   FR_ASSIGN_OR_RETURN(Statement landmarks, database.Prepare("INSERT INTO scan_landmarks (scan_key, landmark, x_m, y_m, "
                                                             "z_m, confidence) VALUES (?1, ?2, ?3, ?4, ?5, ?6)"));
   for (int i = 0; i < kBodyLandmarkCount; ++i) {
@@ -139,7 +139,7 @@ Status InsertDetails(Database& database, const StoredScan& scan, int64_t key) {
   return Status();
 }
 
-Status SelectDetails(Database& database, int64_t key, StoredScan& scan) {
+Status SelectDetails(Database& database, int64_t key, ScanRecord& scan) {
   FR_ASSIGN_OR_RETURN(
       Statement landmarks,
       database.Prepare("SELECT landmark, x_m, y_m, z_m, confidence FROM scan_landmarks WHERE scan_key = ?1"));
@@ -163,8 +163,8 @@ Status SelectDetails(Database& database, int64_t key, StoredScan& scan) {
   }
 }
 
-Result<StoredScan> ReadScanRow(Database& database, const Statement& row) {
-  StoredScan scan;
+Result<ScanRecord> ReadScanRow(Database& database, const Statement& row) {
+  ScanRecord scan;
   scan.name = {row.Text(1), row.Text(2)};
   scan.file_name = row.Text(3);
   scan.original_size = row.Integer(4);
@@ -190,23 +190,21 @@ Result<StoredScan> ReadScanRow(Database& database, const Statement& row) {
   return scan;
 }
 
-Status ScanNotFound(const ScanName& name) {
-  return NotFound("SCAN_NOT_FOUND", "bodies/" + name.body + "/scans/" + name.scan + ": no such scan");
-}
+Status ScanNotFound(const ScanName& name) { return NotFound("SCAN_NOT_FOUND", ToString(name) + ": no such scan"); }
 
 }  // namespace
 
-Result<ContentHash> HashFromRow(const Statement& row, int column) {
+Result<Hash256> HashFromRow(const Statement& row, int column) {
   const std::span<const std::byte> bytes = row.Bytes(column);
-  const std::optional<ContentHash> hash =
-      ContentHashFromBytes({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  const std::optional<Hash256> hash =
+      Hash256::FromBytes({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   if (!hash) return DataLoss("DATABASE_CORRUPT", "database: a hash that is none; restore it from a backup");
   return *hash;
 }
 
-std::span<const std::byte> HashBytes(const ContentHash& hash) { return std::as_bytes(std::span(hash.value)); }
+std::span<const std::byte> HashBytes(const Hash256& hash) { return std::as_bytes(std::span(hash.bytes)); }
 
-Status InsertScan(Database& database, const StoredScan& scan, int64_t original_blob, int64_t packed_mesh_blob) {
+Status InsertScan(Database& database, const ScanRecord& scan, int64_t original_blob, int64_t packed_mesh_blob) {
   FR_ASSIGN_OR_RETURN(
       Statement insert,
       database.Prepare("INSERT INTO scans (body, scan, file_name, original_blob_id, original_size_bytes, "
@@ -235,7 +233,7 @@ Status InsertScan(Database& database, const StoredScan& scan, int64_t original_b
   return InsertDetails(database, scan, insert.Integer(0));
 }
 
-Result<StoredScan> SelectScan(Database& database, const ScanName& name) {
+Result<ScanRecord> SelectScan(Database& database, const ScanName& name) {
   FR_ASSIGN_OR_RETURN(Statement select, database.Prepare(std::string("SELECT ") + kScanColumns +
                                                          " FROM scans WHERE body = ?1 AND scan = ?2"));
   FR_ASSIGN_OR_RETURN(const bool has_row, select.Bind(1, name.body).Bind(2, name.scan).Step());
@@ -243,18 +241,18 @@ Result<StoredScan> SelectScan(Database& database, const ScanName& name) {
   return ReadScanRow(database, select);
 }
 
-Result<std::vector<StoredScan>> SelectScans(Database& database, std::string_view body, const ScanName& after,
+Result<std::vector<ScanRecord>> SelectScans(Database& database, std::string_view body, const ScanName& after,
                                             int limit) {
   FR_ASSIGN_OR_RETURN(Statement select,
                       database.Prepare(std::string("SELECT ") + kScanColumns +
                                        " FROM scans WHERE (body, scan) > (?1, ?2) AND (?3 = '' OR body = ?3) "
                                        "ORDER BY body, scan LIMIT ?4"));
   select.Bind(1, after.body).Bind(2, after.scan).Bind(3, body).Bind(4, int64_t{limit});
-  std::vector<StoredScan> scans;
+  std::vector<ScanRecord> scans;
   for (;;) {
     FR_ASSIGN_OR_RETURN(const bool has_row, select.Step());
     if (!has_row) return scans;
-    FR_ASSIGN_OR_RETURN(StoredScan scan, ReadScanRow(database, select));
+    FR_ASSIGN_OR_RETURN(ScanRecord scan, ReadScanRow(database, select));
     scans.push_back(std::move(scan));
   }
 }

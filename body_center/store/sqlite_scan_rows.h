@@ -14,18 +14,18 @@ namespace fitroom::body_center {
 extern const char kScanSchema[];
 
 // Reads a column of 32 bytes; DATA_LOSS [DATABASE_CORRUPT] if it holds anything else.
-Result<ContentHash> HashFromRow(const sqlite::Statement& row, int column);
+Result<Hash256> HashFromRow(const sqlite::Statement& row, int column);
 // The bytes of a hash for binding; valid while the hash lives.
-std::span<const std::byte> HashBytes(const ContentHash& hash);
+std::span<const std::byte> HashBytes(const Hash256& hash);
 
 // Inserts all rows of a scan. ALREADY_EXISTS [DATABASE_CONFLICT] if the name is taken.
-Status InsertScan(sqlite::Database& database, const StoredScan& scan, int64_t original_blob, int64_t packed_mesh_blob);
+Status InsertScan(sqlite::Database& database, const ScanRecord& scan, int64_t original_blob, int64_t packed_mesh_blob);
 
 // Returns the scan, or NOT_FOUND [SCAN_NOT_FOUND].
-Result<StoredScan> SelectScan(sqlite::Database& database, const ScanName& name);
+Result<ScanRecord> SelectScan(sqlite::Database& database, const ScanName& name);
 
 // Returns up to `limit` scans behind `after`; of one body unless `body` is empty.
-Result<std::vector<StoredScan>> SelectScans(sqlite::Database& database, std::string_view body, const ScanName& after,
+Result<std::vector<ScanRecord>> SelectScans(sqlite::Database& database, std::string_view body, const ScanName& after,
                                             int limit);
 
 // Returns the blob and the size of one of the scan's contents, or NOT_FOUND [SCAN_NOT_FOUND].

@@ -65,7 +65,10 @@ class SinkReactor final : public grpc::ServerReadReactor<Request> {
       : runtime_(runtime), context_(context), log_(*context, method), sink_(std::move(sink)) {
     lease_ = runtime.stalls.Watch(runtime.streams.limits().stall_timeout, [context] { context->TryCancel(); });
     Result<StreamLimiter::Ticket> ticket = runtime.streams.Admit(context->peer());
-    if (!ticket.ok()) return End(ticket.status());
+    if (!ticket.ok()) {
+      End(ticket.status());
+      return;
+    }
     ticket_ = std::move(ticket).value();
     Read();
   }
@@ -135,7 +138,10 @@ class SourceReactor final : public grpc::ServerWriteReactor<Response> {
       : runtime_(runtime), log_(*context, method), source_(std::move(source)) {
     lease_ = runtime.stalls.Watch(runtime.streams.limits().stall_timeout, [context] { context->TryCancel(); });
     Result<StreamLimiter::Ticket> ticket = runtime.streams.Admit(context->peer());
-    if (!ticket.ok()) return End(ticket.status());
+    if (!ticket.ok()) {
+      End(ticket.status());
+      return;
+    }
     ticket_ = std::move(ticket).value();
     SubmitNext();
   }
