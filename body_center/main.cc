@@ -8,6 +8,11 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "body_center " FITROOM_VERSION);
   app.require_subcommand(1);
   int exit_code = 0;
+  fitroom::body_center::AddServeCommand(app, exit_code);
+  fitroom::body_center::AddRegisterCommand(app, exit_code);
+  fitroom::body_center::AddListCommand(app, exit_code);
+  fitroom::body_center::AddShowCommand(app, exit_code);
+  fitroom::body_center::AddExportCommand(app, exit_code);
   fitroom::body_center::AddMeasureCommand(app, exit_code);
   try {
     app.parse(argc, argv);

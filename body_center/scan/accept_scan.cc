@@ -10,7 +10,9 @@
 namespace fitroom::body_center {
 namespace {
 
-Status Cancelled() { return Status(StatusCode::kCancelled, "CANCELLED", "the client is gone; register the scan again"); }
+Status Cancelled() {
+  return Status(StatusCode::kCancelled, "CANCELLED", "the client is gone; register the scan again");
+}
 
 }  // namespace
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <string_view>
 
-#include "common/codec/hash.h"
 #include "common/base/status.h"
 #include "common/body/body.h"
 #include "common/body/body_frame.h"
+#include "common/codec/hash.h"
 
 namespace fitroom::body_center {
 

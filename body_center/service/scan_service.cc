@@ -9,7 +9,7 @@
 
 namespace fitroom::body_center {
 
-using namespace body::v1;  // The messages of this service.
+namespace v1 = body::v1;  // The messages of this service.
 using fitroom::remote::CheckChunk;
 using grpc::CallbackServerContext;
 using grpc::ServerUnaryReactor;
@@ -40,11 +40,11 @@ Result<ScanName> AfterFromToken(const std::string& token) {
 }
 
 // Takes the chunks of one upload stream and commits them in groups.
-class UploadSink final : public rpc::MessageSink<UploadScanRequest> {
+class UploadSink final : public rpc::MessageSink<v1::UploadScanRequest> {
  public:
-  UploadSink(BodyStore& store, UploadScanResponse* response) : store_(store), response_(response) {}
+  UploadSink(BodyStore& store, v1::UploadScanResponse* response) : store_(store), response_(response) {}
 
-  Result<int64_t> Accept(const UploadScanRequest& request) override {
+  Result<int64_t> Accept(const v1::UploadScanRequest& request) override {
     FR_RETURN_IF_ERROR(CheckUploadName(request.upload()));
     const Status chunk_status = CheckChunk(request.chunk(), NextOffset());
     if (!chunk_status.ok()) {
@@ -89,17 +89,17 @@ class UploadSink final : public rpc::MessageSink<UploadScanRequest> {
   }
 
   BodyStore& store_;
-  UploadScanResponse* const response_;
+  v1::UploadScanResponse* const response_;
   ScanUpload upload_;
   std::string pending_;
 };
 
 // Makes the chunks of one download, out of the store's rows.
-class DownloadSource final : public rpc::MessageSource<DownloadScanResponse> {
+class DownloadSource final : public rpc::MessageSource<v1::DownloadScanResponse> {
  public:
-  DownloadSource(BodyStore& store, const DownloadScanRequest& request) : store_(store), request_(request) {}
+  DownloadSource(BodyStore& store, const v1::DownloadScanRequest& request) : store_(store), request_(request) {}
 
-  Result<int64_t> Next(DownloadScanResponse& response) override {
+  Result<int64_t> Next(v1::DownloadScanResponse& response) override {
     if (used_ == row_.size()) FR_RETURN_IF_ERROR(LoadRow());
     if (row_.empty()) return 0;
     const std::string_view piece = std::string_view(row_).substr(used_, remote::kMaxChunkSize);
@@ -124,7 +124,7 @@ class DownloadSource final : public rpc::MessageSource<DownloadScanResponse> {
   }
 
   BodyStore& store_;
-  const DownloadScanRequest request_;
+  const v1::DownloadScanRequest request_;
   bool started_ = false;
   ScanName name_;
   ScanContent content_ = ScanContent::kOriginal;
@@ -133,7 +133,7 @@ class DownloadSource final : public rpc::MessageSource<DownloadScanResponse> {
   size_t used_ = 0;
 };
 
-Status CheckFinishRequest(BodyStore& store, const std::string& id, const FinishScanUploadRequest& request) {
+Status CheckFinishRequest(BodyStore& store, const std::string& id, const v1::FinishScanUploadRequest& request) {
   FR_ASSIGN_OR_RETURN(const ScanUpload upload, store.FindUpload(id));
   const std::optional<Hash256> hash = Hash256::FromBytes(request.blake2b_256());
   if (request.size_bytes() != upload.statement.size || hash != upload.statement.hash) {
@@ -148,8 +148,8 @@ ScanServiceImpl::ScanServiceImpl(BodyStore& store, ScanAcceptor acceptor, rpc::C
     : store_(store), acceptor_(std::move(acceptor)), runtime_(runtime) {}
 
 ServerUnaryReactor* ScanServiceImpl::StartScanUpload(CallbackServerContext* context,
-                                                     const StartScanUploadRequest* request,
-                                                     StartScanUploadResponse* response) {
+                                                     const v1::StartScanUploadRequest* request,
+                                                     v1::StartScanUploadResponse* response) {
   return rpc::RunUnary(context, runtime_.workers, "StartScanUpload", [this, request, response]() -> Status {
     FR_ASSIGN_OR_RETURN(const ScanUploadStatement statement, remote::StatementFromProto(*request));
     FR_ASSIGN_OR_RETURN(const ScanUpload upload, store_.StartUpload(statement));
@@ -158,14 +158,15 @@ ServerUnaryReactor* ScanServiceImpl::StartScanUpload(CallbackServerContext* cont
   });
 }
 
-grpc::ServerReadReactor<UploadScanRequest>* ScanServiceImpl::UploadScan(CallbackServerContext* context,
-                                                                        UploadScanResponse* response) {
-  return new rpc::SinkReactor<UploadScanRequest>(context, runtime_, "UploadScan",
-                                                 std::make_unique<UploadSink>(store_, response));
+grpc::ServerReadReactor<v1::UploadScanRequest>* ScanServiceImpl::UploadScan(CallbackServerContext* context,
+                                                                            v1::UploadScanResponse* response) {
+  return new rpc::SinkReactor<v1::UploadScanRequest>(context, runtime_, "UploadScan",
+                                                     std::make_unique<UploadSink>(store_, response));
 }
 
-ServerUnaryReactor* ScanServiceImpl::GetScanUpload(CallbackServerContext* context, const GetScanUploadRequest* request,
-                                                   GetScanUploadResponse* response) {
+ServerUnaryReactor* ScanServiceImpl::GetScanUpload(CallbackServerContext* context,
+                                                   const v1::GetScanUploadRequest* request,
+                                                   v1::GetScanUploadResponse* response) {
   return rpc::RunUnary(context, runtime_.workers, "GetScanUpload", [this, request, response]() -> Status {
     FR_ASSIGN_OR_RETURN(const std::string id, remote::UploadIdFromName(request->name()));
     FR_ASSIGN_OR_RETURN(const ScanUpload upload, store_.FindUpload(id));
@@ -175,8 +176,8 @@ ServerUnaryReactor* ScanServiceImpl::GetScanUpload(CallbackServerContext* contex
 }
 
 ServerUnaryReactor* ScanServiceImpl::CancelScanUpload(CallbackServerContext* context,
-                                                      const CancelScanUploadRequest* request,
-                                                      CancelScanUploadResponse*) {
+                                                      const v1::CancelScanUploadRequest* request,
+                                                      v1::CancelScanUploadResponse*) {
   return rpc::RunUnary(context, runtime_.workers, "CancelScanUpload", [this, request]() -> Status {
     FR_ASSIGN_OR_RETURN(const std::string id, remote::UploadIdFromName(request->name()));
     return store_.DropUpload(id);
@@ -184,8 +185,8 @@ ServerUnaryReactor* ScanServiceImpl::CancelScanUpload(CallbackServerContext* con
 }
 
 ServerUnaryReactor* ScanServiceImpl::FinishScanUpload(CallbackServerContext* context,
-                                                      const FinishScanUploadRequest* request,
-                                                      FinishScanUploadResponse* response) {
+                                                      const v1::FinishScanUploadRequest* request,
+                                                      v1::FinishScanUploadResponse* response) {
   return rpc::RunUnary(context, accepting_, "FinishScanUpload", [this, context, request, response]() -> Status {
     FR_ASSIGN_OR_RETURN(const std::string id, remote::UploadIdFromName(request->name()));
     FR_RETURN_IF_ERROR(CheckFinishRequest(store_, id, *request));
@@ -196,8 +197,8 @@ ServerUnaryReactor* ScanServiceImpl::FinishScanUpload(CallbackServerContext* con
   });
 }
 
-ServerUnaryReactor* ScanServiceImpl::GetScan(CallbackServerContext* context, const GetScanRequest* request,
-                                             GetScanResponse* response) {
+ServerUnaryReactor* ScanServiceImpl::GetScan(CallbackServerContext* context, const v1::GetScanRequest* request,
+                                             v1::GetScanResponse* response) {
   return rpc::RunUnary(context, runtime_.workers, "GetScan", [this, request, response]() -> Status {
     FR_ASSIGN_OR_RETURN(const ScanName name, ParseScanName(request->name()));
     FR_ASSIGN_OR_RETURN(const ScanRecord scan, store_.FindScan(name));
@@ -206,8 +207,8 @@ ServerUnaryReactor* ScanServiceImpl::GetScan(CallbackServerContext* context, con
   });
 }
 
-ServerUnaryReactor* ScanServiceImpl::ListScans(CallbackServerContext* context, const ListScansRequest* request,
-                                               ListScansResponse* response) {
+ServerUnaryReactor* ScanServiceImpl::ListScans(CallbackServerContext* context, const v1::ListScansRequest* request,
+                                               v1::ListScansResponse* response) {
   return rpc::RunUnary(context, runtime_.workers, "ListScans", [this, request, response]() -> Status {
     FR_ASSIGN_OR_RETURN(const std::string body, BodyFromParent(request->parent()));
     FR_ASSIGN_OR_RETURN(const ScanName after, AfterFromToken(request->page_token()));
@@ -225,10 +226,10 @@ ServerUnaryReactor* ScanServiceImpl::ListScans(CallbackServerContext* context, c
   });
 }
 
-grpc::ServerWriteReactor<DownloadScanResponse>* ScanServiceImpl::DownloadScan(CallbackServerContext* context,
-                                                                              const DownloadScanRequest* request) {
-  return new rpc::SourceReactor<DownloadScanResponse>(context, runtime_, "DownloadScan",
-                                                      std::make_unique<DownloadSource>(store_, *request));
+grpc::ServerWriteReactor<v1::DownloadScanResponse>* ScanServiceImpl::DownloadScan(
+    CallbackServerContext* context, const v1::DownloadScanRequest* request) {
+  return new rpc::SourceReactor<v1::DownloadScanResponse>(context, runtime_, "DownloadScan",
+                                                          std::make_unique<DownloadSource>(store_, *request));
 }
 
 }  // namespace fitroom::body_center

@@ -196,8 +196,7 @@ Status ScanNotFound(const ScanName& name) { return NotFound("SCAN_NOT_FOUND", To
 
 Result<Hash256> HashFromRow(const Statement& row, int column) {
   const std::span<const std::byte> bytes = row.Bytes(column);
-  const std::optional<Hash256> hash =
-      Hash256::FromBytes({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  const std::optional<Hash256> hash = Hash256::FromBytes({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   if (!hash) return DataLoss("DATABASE_CORRUPT", "database: a hash that is none; restore it from a backup");
   return *hash;
 }

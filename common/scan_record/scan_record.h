@@ -5,10 +5,10 @@
 #include <string>
 #include <string_view>
 
-#include "common/codec/hash.h"
 #include "common/base/status.h"
 #include "common/body/body.h"
 #include "common/body/body_frame.h"
+#include "common/codec/hash.h"
 
 namespace fitroom {
 
@@ -33,7 +33,7 @@ struct ScanUploadStatement {
   ScanName name;
   std::string file_name;   // Without folders; for people.
   int64_t size = 0;        // Of the whole file (unit: byte).
-  Hash256 hash;        // Of the whole file.
+  Hash256 hash;            // Of the whole file.
   std::string up, facing;  // Overrides as ParseAxis() takes them; empty: detected.
   std::string unit;        // Override as ParseUnit() takes it; empty: detected.
 

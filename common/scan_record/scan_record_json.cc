@@ -46,8 +46,8 @@ Hash256 HashFromJson(const Json& json) {
 }
 
 Json FrameToJson(const FrameReport& frame) {
-  return {{"up", frame.up},           {"facing", frame.facing},   {"unit", frame.unit},
-          {"tilt_deg", frame.tilt_deg}, {"yaw_deg", frame.yaw_deg}, {"reasons", frame.reasons}};
+  return {{"up", frame.up},           {"facing", frame.facing},  {"unit", frame.unit}, {"tilt_deg", frame.tilt_deg},
+          {"yaw_deg", frame.yaw_deg}, {"reasons", frame.reasons}};
 }
 
 FrameReport FrameFromJson(const Json& json) {
@@ -85,7 +85,8 @@ ScanRecord RecordFromJson(const Json& json) {
   }
   for (const auto& [limb, field] : kLimbs) {
     const Json& axis = json.at("limb_axes").at(limb);
-    scan.*field = {PointFromJson(axis.at("root_m")), PointFromJson(axis.at("joint_m")), PointFromJson(axis.at("end_m"))};
+    scan.*
+        field = {PointFromJson(axis.at("root_m")), PointFromJson(axis.at("joint_m")), PointFromJson(axis.at("end_m"))};
   }
   scan.measurements.stature = FiniteFromJson(json.at("stature_m"));
   for (const auto& [girth, field] : kGirths) {
