@@ -21,27 +21,7 @@ constexpr double kLineWidth = 1.6;     // (unit: pixel)
 // one. What is inside what is measured elsewhere, never on a picture. (unit: metre)
 constexpr float kBodyDepthBias = 3e-3F;
 
-Status CheckScene(const Scene& scene, std::span<const Camera> cameras) {
-  if (scene.body != nullptr) {
-    if (scene.body->normals.size() != scene.body->mesh.vertices.size()) {
-      return InvalidArgument("BAD_BODY_SHAPE", "the body cannot be drawn: it needs one normal a vertex");
-    }
-    for (const Eigen::Vector3d& vertex : scene.body->mesh.vertices) {
-      if (!vertex.allFinite()) return InvalidArgument("BAD_BODY_SHAPE", "the body has a vertex that is nowhere");
-    }
-    const int count = static_cast<int>(scene.body->mesh.vertices.size());
-    for (const Eigen::Vector3i& triangle : scene.body->mesh.triangles) {
-      if (triangle.minCoeff() < 0 || triangle.maxCoeff() >= count) {
-        return InvalidArgument("BAD_BODY_SHAPE", "the body has a triangle without a corner");
-      }
-    }
-  }
-  for (const GarmentShape& garment : scene.garments) FR_RETURN_IF_ERROR(CheckGarmentShape(garment));
-  for (const LineSegment& line : scene.lines) {
-    if (!line.from.allFinite() || !line.to.allFinite()) {
-      return InvalidArgument("BAD_LINE", "a line of the scene ends nowhere (not a number)");
-    }
-  }
+Status CheckCameras(std::span<const Camera> cameras) {
   for (const Camera& camera : cameras) {
     if (camera.width <= 0 || camera.height <= 0 || camera.width > kMaxPictureSide || camera.height > kMaxPictureSide) {
       return InvalidArgument("BAD_PICTURE_SIZE", "a picture has 1 to 4096 pixels a side");
@@ -243,7 +223,8 @@ Result<Renderer> Renderer::Create() {
 }
 
 Result<std::vector<Image>> Renderer::Draw(const Scene& scene, std::span<const Camera> cameras) {
-  FR_RETURN_IF_ERROR(CheckScene(scene, cameras));
+  FR_RETURN_IF_ERROR(CheckScene(scene));
+  FR_RETURN_IF_ERROR(CheckCameras(cameras));
   const SceneDrawing drawing = impl_->Upload(scene);
   FR_RETURN_IF_ERROR(CheckGl("handing the scene to the renderer"));
   std::vector<Image> pictures;

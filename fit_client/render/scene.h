@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "common/base/status.h"
 #include "common/geometry/triangle_mesh.h"
 #include "common/image/image.h"
 #include "fit_client/fit/cloth_mesh.h"
@@ -53,6 +54,10 @@ struct Scene {
   std::vector<GarmentShape> garments;
   std::vector<LineSegment> lines;
 };
+
+// Checks that the parts of a scene fit each other: counts, indices, finite numbers. INVALID_ARGUMENT with the reason
+// BAD_BODY_SHAPE, BAD_GARMENT_SHAPE or BAD_LINE names what does not.
+Status CheckScene(const Scene& scene);
 
 // From where the scene is looked at. "Side" looks at the body's left, "three-quarter" at its front from its left.
 enum class ViewDirection { kFront, kSide, kBack, kThreeQuarter };
