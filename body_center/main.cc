@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   fitroom::body_center::AddShowCommand(app, exit_code);
   fitroom::body_center::AddExportCommand(app, exit_code);
   fitroom::body_center::AddMeasureCommand(app, exit_code);
+  fitroom::body_center::AddSynthesizeCommand(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -15,4 +15,7 @@ void AddExportCommand(CLI::App& app, int& exit_code);
 // measure: prints a scan's frame, landmarks and girths.
 void AddMeasureCommand(CLI::App& app, int& exit_code);
 
+// synthesize: makes a body from measurements.
+void AddSynthesizeCommand(CLI::App& app, int& exit_code);
+
 }  // namespace fitroom::body_center
