@@ -7,4 +7,7 @@ namespace fitroom::fit_client {
 // Each function adds one subcommand to `app`. A command's callback stores its exit code in `exit_code`
 // (common/base/exit_code.h); `exit_code` outlives the parsing of the command line.
 
+// drape: runs the cloth solver on given meshes.
+void AddDrapeCommand(CLI::App& app, int& exit_code);
+
 }  // namespace fitroom::fit_client

@@ -29,6 +29,8 @@ struct EdgeUse {
   int high = 0;
   int opposite = 0;  // The triangle's third particle.
   int triangle = 0;
+  int low_vertex = 0;  // Of the mesh: differs between the two sides of a seam.
+  int high_vertex = 0;
   double rest_length = 0.0;
 };
 
@@ -202,8 +204,9 @@ void ClothModelBuilder::CollectEdgeUses() {
       const int q = model_.triangles_[index][static_cast<size_t>((corner + 1) % 3)];
       const int opposite = model_.triangles_[index][static_cast<size_t>((corner + 2) % 3)];
       if (p == q) continue;  // Both ends sewn onto each other.
-      edge_uses_.push_back(
-          {std::min(p, q), std::max(p, q), opposite, static_cast<int>(index), (Rest(from) - Rest(to)).norm()});
+      const bool rising = p < q;
+      edge_uses_.push_back({std::min(p, q), std::max(p, q), opposite, static_cast<int>(index), rising ? from : to,
+                            rising ? to : from, (Rest(from) - Rest(to)).norm()});
     }
   }
   std::sort(edge_uses_.begin(), edge_uses_.end(), [](const EdgeUse& a, const EdgeUse& b) {
@@ -244,7 +247,7 @@ void ClothModelBuilder::MakeConstraints() {
       springs[target].emplace_back(edge[0], edge[1], static_cast<float>(length), static_cast<float>(compliance));
     }
     // A seam is sewn from two panels that each lie flat for themselves: no bending resistance across it.
-    if (end - begin == 2 && mesh_.triangles.size() > 1) AddBend(edge_uses_[begin], edge_uses_[begin + 1]);
+    if (end - begin == 2) AddBend(edge_uses_[begin], edge_uses_[begin + 1]);
     begin = end;
   }
   for (size_t chunk = 0; chunk < model_.chunks_.size(); ++chunk) {
@@ -255,27 +258,24 @@ void ClothModelBuilder::MakeConstraints() {
 }
 
 void ClothModelBuilder::AddBend(const EdgeUse& first, const EdgeUse& second) {
-  const auto panel = [&](const EdgeUse& use) {
-    const int vertex = mesh_.triangles[static_cast<size_t>(use.triangle)][0];
-    return mesh_.panel_of_particle.empty() ? 0 : mesh_.panel_of_particle[static_cast<size_t>(vertex)];
-  };
-  if (panel(first) != panel(second) || !(material_.bending_stiffness > 0.0)) return;
+  const bool is_seam = first.low_vertex != second.low_vertex || first.high_vertex != second.high_vertex;
+  if (is_seam || !(material_.bending_stiffness > 0.0)) return;
   const std::array<int, 4> particles = {first.low, first.high, first.opposite, second.opposite};
-  const auto rest_of = [&](const EdgeUse& use, int particle) {
+  const auto rest_opposite = [&](const EdgeUse& use) {
     for (const int vertex : mesh_.triangles[static_cast<size_t>(use.triangle)]) {
-      if (model_.particle_of_vertex_[static_cast<size_t>(vertex)] == particle) return Rest(vertex);
+      if (model_.particle_of_vertex_[static_cast<size_t>(vertex)] == use.opposite) return Rest(vertex);
     }
-    return Rest(mesh_.triangles[static_cast<size_t>(use.triangle)][0]);
+    return Rest(use.low_vertex);
   };
-  const Eigen::Vector3d x0 = rest_of(first, first.low);
-  const Eigen::Vector3d x1 = rest_of(first, first.high);
+  const Eigen::Vector3d x0 = Rest(first.low_vertex);
+  const Eigen::Vector3d x1 = Rest(first.high_vertex);
   const auto cotangent = [](const Eigen::Vector3d& at, const Eigen::Vector3d& to_a, const Eigen::Vector3d& to_b) {
     const Eigen::Vector3d u = to_a - at;
     const Eigen::Vector3d v = to_b - at;
     return u.dot(v) / std::max(u.cross(v).norm(), 1e-12);
   };
-  const Eigen::Vector3d x2 = rest_of(first, first.opposite);
-  const Eigen::Vector3d x3 = rest_of(second, second.opposite);
+  const Eigen::Vector3d x2 = rest_opposite(first);
+  const Eigen::Vector3d x3 = rest_opposite(second);
   const double c01 = cotangent(x0, x1, x2);
   const double c02 = cotangent(x0, x1, x3);
   const double c03 = cotangent(x1, x0, x2);

@@ -62,6 +62,7 @@ class DrapeRun {
   std::vector<double> SeamGaps() const;
   std::vector<SeamPull> MakePulls(const ClothModel& model, std::span<const SeamPair> pairs) const;
   bool PassesThroughBody(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
+  void FindPanels();
   void SetApproachWind(const ClothModel& model, double mean_gap, ClothState& state) const;
   void Observe(DrapeStage stage, double progress) {
     if (observer_) observer_({stage, substep_, progress, positions_});
@@ -73,6 +74,8 @@ class DrapeRun {
   Executor& executor_;
   const DrapeObserver& observer_;
   std::vector<Eigen::Vector3d> positions_;  // One a vertex of the mesh.
+  std::vector<int> panel_of_vertex_;
+  int panel_count_ = 0;
   std::vector<SeamPair> open_seams_;
   int substep_ = 0;
   DrapeReport report_;
@@ -128,13 +131,8 @@ std::vector<SeamPull> DrapeRun::MakePulls(const ClothModel& model, std::span<con
 // Whole panels move towards their partners, like someone laying them on the body, so that the outline does not have to
 // drag them there. The speed falls with the gap that is left.
 void DrapeRun::SetApproachWind(const ClothModel& model, double mean_gap, ClothState& state) const {
-  int panel_count = 1;
-  for (const int panel : mesh_.panel_of_particle) panel_count = std::max(panel_count, panel + 1);
-  std::vector<Eigen::Vector3d> way(static_cast<size_t>(panel_count), Eigen::Vector3d::Zero());
-  const auto panel_of = [&](int vertex) {
-    return mesh_.panel_of_particle.empty() ? size_t{0}
-                                           : static_cast<size_t>(mesh_.panel_of_particle[static_cast<size_t>(vertex)]);
-  };
+  std::vector<Eigen::Vector3d> way(static_cast<size_t>(panel_count_), Eigen::Vector3d::Zero());
+  const auto panel_of = [&](int vertex) { return static_cast<size_t>(panel_of_vertex_[static_cast<size_t>(vertex)]); };
   for (const SeamPair& pair : mesh_.seams) {
     const Eigen::Vector3d to_b = positions_[static_cast<size_t>(pair.b)] - positions_[static_cast<size_t>(pair.a)];
     way[panel_of(pair.a)] += to_b;
@@ -150,6 +148,32 @@ void DrapeRun::SetApproachWind(const ClothModel& model, double mean_gap, ClothSt
   }
 }
 
+// Numbers the connected parts of the mesh.
+void DrapeRun::FindPanels() {
+  std::vector<int> parent(mesh_.rest_positions.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](int vertex) {
+    while (parent[static_cast<size_t>(vertex)] != vertex) {
+      parent[static_cast<size_t>(vertex)] = parent[static_cast<size_t>(parent[static_cast<size_t>(vertex)])];
+      vertex = parent[static_cast<size_t>(vertex)];
+    }
+    return vertex;
+  };
+  for (const Eigen::Vector3i& triangle : mesh_.triangles) {
+    for (const int other : {triangle[1], triangle[2]}) {
+      const int a = root(triangle[0]);
+      const int b = root(other);
+      parent[static_cast<size_t>(std::max(a, b))] = std::min(a, b);
+    }
+  }
+  panel_of_vertex_.resize(parent.size());
+  for (size_t vertex = 0; vertex < parent.size(); ++vertex) {
+    const int first = root(static_cast<int>(vertex));  // The lowest vertex of the panel, seen before all others.
+    panel_of_vertex_[vertex] =
+        first == static_cast<int>(vertex) ? panel_count_++ : panel_of_vertex_[static_cast<size_t>(first)];
+  }
+}
+
 Status DrapeRun::CheckFinite(const ClothState& state) const {
   for (const Float4& position : state.positions) {
     if (!std::isfinite(position.x + position.y + position.z)) {
@@ -162,6 +186,7 @@ Status DrapeRun::CheckFinite(const ClothState& state) const {
 
 Status DrapeRun::Merge() {
   FR_ASSIGN_OR_RETURN(const ClothModel model, ClothModel::Create(mesh_, options_.material, {}));
+  FindPanels();
   ClothSolver solver(model, body_, executor_);
   MotionOptions motion;
   motion.time_step = kMergingStep;
@@ -319,12 +344,6 @@ Status CheckInput(const ClothMesh& mesh, std::span<const Eigen::Vector3d> start,
                                                      " is not finite or further than 100 m from the origin");
     }
   }
-  if (!mesh.panel_of_particle.empty() && mesh.panel_of_particle.size() != start.size()) {
-    return InvalidArgument("PANEL_SIZE_MISMATCH", "there must be one panel number a vertex of the cloth, or none");
-  }
-  for (const int panel : mesh.panel_of_particle) {
-    if (panel < 0 || panel > 1000) return InvalidArgument("PANEL_OUT_OF_RANGE", "a panel number is out of range");
-  }
   for (const SeamPair& pair : mesh.seams) {
     if (std::min(pair.a, pair.b) < 0 || std::max(pair.a, pair.b) >= vertex_count) {
       return InvalidArgument("SEAM_INDEX_OUT_OF_RANGE", "a seam pair names a vertex that does not exist");
@@ -367,6 +386,31 @@ std::string_view DrapeOutcomeName(DrapeOutcome outcome) {
       return "not_at_rest";
   }
   return "";
+}
+
+std::vector<Eigen::Vector3d> SeparateSeamPartners(const ClothMesh& mesh, std::span<const Eigen::Vector3d> positions,
+                                                  double gap) {
+  std::vector<Eigen::Vector3d> neighbours(positions.size(), Eigen::Vector3d::Zero());
+  std::vector<int> counts(positions.size(), 0);
+  for (const Eigen::Vector3i& triangle : mesh.triangles) {
+    for (int corner = 0; corner < 3; ++corner) {
+      const size_t at = static_cast<size_t>(triangle[corner]);
+      for (const int step : {1, 2}) {
+        neighbours[at] += positions[static_cast<size_t>(triangle[(corner + step) % 3])];
+        ++counts[at];
+      }
+    }
+  }
+  std::vector<Eigen::Vector3d> separated(positions.begin(), positions.end());
+  for (const SeamPair& pair : mesh.seams) {
+    for (const int vertex : {pair.a, pair.b}) {
+      const size_t at = static_cast<size_t>(vertex);
+      if (counts[at] == 0) continue;
+      const Eigen::Vector3d inwards = neighbours[at] / counts[at] - positions[at];
+      if (inwards.norm() > 1e-9) separated[at] = positions[at] + inwards.normalized() * (0.5 * gap);
+    }
+  }
+  return separated;
 }
 
 Result<DrapeResult> Drape(const ClothMesh& mesh, std::span<const Eigen::Vector3d> start_positions,

@@ -122,4 +122,9 @@ Result<DrapeResult> Drape(const ClothMesh& mesh, std::span<const Eigen::Vector3d
                           const SignedDistanceField& body, const DrapeOptions& options, Executor& executor,
                           const DrapeObserver& observer);
 
+// Returns the positions with the two sides of each seam drawn apart by `gap`, each into its own panel, so that a
+// program that takes them for two sheets does not see them cross.
+std::vector<Eigen::Vector3d> SeparateSeamPartners(const ClothMesh& mesh, std::span<const Eigen::Vector3d> positions,
+                                                  double gap);
+
 }  // namespace fitroom
