@@ -4,6 +4,7 @@
 
 #include "common/body/landmark_search.h"
 #include "common/body/outline_profile.h"
+#include "common/body/polygon.h"
 
 namespace fitroom {
 namespace {
@@ -30,7 +31,12 @@ struct Centreline {
 
 // Parts of the way from the shoulder's joint to the fingertips at which people have elbow and wrist.
 constexpr double kElbowPart = 0.385;
-constexpr double kWristPart = 0.715;
+constexpr double kWristPart = 0.70;
+// Parts of the way from the elbow to the fingertips between which the wrist is looked for.
+constexpr double kWristLow = 0.42;
+constexpr double kWristHigh = 0.62;
+// The ankle's joint above the floor, as a part of the stature.
+constexpr double kAnklePart = 0.0427;
 
 Centreline ArmLine(const BodySlices& body, Side side, const Eigen::Vector3d& root) {
   Centreline line;
@@ -72,19 +78,52 @@ Bend FindBend(const Centreline& line, double end, double low, double high) {
   return best;
 }
 
+// Where a tape round the forearm is shortest: the girth of the section across the line, between `low` and `high`.
+double FindThinnest(const BodyShape& shape, const Centreline& line, double low, double high) {
+  const double top = std::max(line.At(low).y(), line.At(high).y()) + 0.06;
+  const double bottom = std::min(line.At(low).y(), line.At(high).y()) - 0.06;
+  const std::vector<int> triangles = shape.index.TrianglesBetween(bottom, top);
+  double thinnest = 0.5 * (low + high);
+  double shortest = 1e300;
+  for (double along = low; along <= high; along += 0.006) {
+    const Eigen::Vector3d direction = (line.At(along + 0.03) - line.At(along - 0.03)).normalized();
+    SectionPlane plane;
+    plane.origin = line.At(along);
+    plane.u = direction.cross(Eigen::Vector3d::UnitZ()).normalized();
+    plane.v = direction.cross(plane.u);
+    SectionOptions options;
+    options.min_area = 5e-4;
+    options.max_bridge = 0.1;
+    for (const SectionLoop& loop : CutByPlane(shape.index.mesh(), triangles, plane, options)) {
+      if (loop.bounds.exteriorDistance(Eigen::Vector2d(0.0, 0.0)) > 0.0 || loop.centroid.norm() > 0.05) continue;
+      const double tape = TapeLength(loop.points);
+      if (tape < shortest) {
+        shortest = tape;
+        thinnest = along;
+      }
+      break;
+    }
+  }
+  return thinnest;
+}
+
 LimbAxis FindArm(const BodyShape& shape, Side side, BodyLandmarks& landmarks) {
   const LandmarkEstimate& acromion = landmarks[OnSide(BodyLandmark::kAcromionLeft, side)];
   const LandmarkEstimate& armpit = landmarks[OnSide(BodyLandmark::kArmpitLeft, side)];
   LimbAxis axis;
   if (acromion.confidence == 0.0 || armpit.confidence == 0.0) return axis;
-  axis.root = 0.5 * (acromion.position + armpit.position);
+  // The joint lies between both, a little above and inside of the middle.
+  const double stature = shape.slices.stature;
+  axis.root = 0.5 * (acromion.position + armpit.position) +
+              Eigen::Vector3d(-SignOf(side) * 0.004 * stature, 0.006 * stature, 0.0);
   const Centreline line = ArmLine(shape.slices, side, axis.root);
   if (line.points.size() < 5) return axis;
   const double length = line.length();
-  const double wrist = kWristPart * length;
-  Bend bend = FindBend(line, wrist, 0.30 * length, 0.47 * length);
+  Bend bend = FindBend(line, kWristPart * length, 0.30 * length, 0.47 * length);
   const bool clear = bend.angle > 0.17;
   if (!clear) bend.along = kElbowPart * length;
+  const double hand = length - bend.along;
+  const double wrist = FindThinnest(shape, line, bend.along + kWristLow * hand, bend.along + kWristHigh * hand);
   axis.joint = line.At(bend.along);
   axis.end = line.At(wrist);
   // The landmarks lie on the skin: the elbow's point behind, the wrist's outside.
@@ -97,8 +136,34 @@ LimbAxis FindArm(const BodyShape& shape, Side side, BodyLandmarks& landmarks) {
   };
   const double trust = std::min(acromion.confidence, armpit.confidence);
   on_skin(BodyLandmark::kElbowLeft, axis.joint, Eigen::Vector2d(0.0, -1.0), std::min(trust, clear ? 0.8 : 0.5));
-  on_skin(BodyLandmark::kWristLeft, axis.end, Eigen::Vector2d(SignOf(side), 0.0), std::min(trust, 0.6));
+  on_skin(BodyLandmark::kWristLeft, axis.end, Eigen::Vector2d(SignOf(side), 0.0), std::min(trust, 0.7));
   return axis;
+}
+
+// The knee's height: between the hollow behind it, where the back of the leg lies farthest forward, and the lower edge
+// of the kneecap, where the front of the leg steps forward most.
+double FindKneeHeight(const BodySlices& body, Side side) {
+  double hollow = 0.0;
+  double hollow_depth = -1e300;
+  double edge = 0.0;
+  double edge_step = -1e300;
+  for (double height = 0.22 * body.stature; height < 0.36 * body.stature; height += kSliceStep) {
+    const SectionLoop* loop = body.At(height).LegLoop(side);
+    const SectionLoop* above = body.At(height + 0.01).LegLoop(side);
+    const SectionLoop* below = body.At(height - 0.01).LegLoop(side);
+    if (loop == nullptr || above == nullptr || below == nullptr) continue;
+    const double depth = above->bounds.min().y() + loop->bounds.min().y() + below->bounds.min().y();
+    if (depth > hollow_depth) {
+      hollow_depth = depth;
+      hollow = height;
+    }
+    const double step = above->bounds.max().y() - below->bounds.max().y();
+    if (step > edge_step) {
+      edge_step = step;
+      edge = height;
+    }
+  }
+  return 0.5 * (hollow + edge) + 0.003 * body.stature;
 }
 
 LimbAxis FindLeg(const BodyShape& shape, Side side, BodyLandmarks& landmarks) {
@@ -117,18 +182,17 @@ LimbAxis FindLeg(const BodyShape& shape, Side side, BodyLandmarks& landmarks) {
     if (loop == nullptr) return axis.root;
     return Eigen::Vector3d(loop->centroid.x(), height, loop->centroid.y());
   };
-  const double ankle_height = 0.0427 * body.stature;
-  const double knee_height = 0.608 * crotch.position.y();
+  const double knee_height = FindKneeHeight(body, side);
   axis.joint = centre(knee_height);
-  axis.end = centre(ankle_height);
+  axis.end = centre(kAnklePart * body.stature);
   const auto on_skin = [&](BodyLandmark landmark, double height, const Eigen::Vector2d& direction, double confidence) {
     const SectionLoop* loop = body.At(height).LegLoop(side);
     if (loop == nullptr) return;
     const Eigen::Vector2d p = FarthestAlong(*loop, direction);
     landmarks[OnSide(landmark, side)] = {Eigen::Vector3d(p.x(), height, p.y()), confidence};
   };
-  on_skin(BodyLandmark::kKneeLeft, knee_height, Eigen::Vector2d(0.0, 1.0), 0.5);
-  on_skin(BodyLandmark::kAnkleLeft, ankle_height, Eigen::Vector2d(SignOf(side), 0.0), 0.5);
+  on_skin(BodyLandmark::kKneeLeft, knee_height, Eigen::Vector2d(0.0, 1.0), 0.7);
+  on_skin(BodyLandmark::kAnkleLeft, kAnklePart * body.stature, Eigen::Vector2d(SignOf(side), 0.0), 0.5);
   return axis;
 }
 

@@ -15,9 +15,13 @@ constexpr double kFineStep = 0.0025;  // Between the sections of neck and should
 // Tangent angles that mark a point on a profile, and the length over which the tangent is taken. They were read off
 // the odd bodies of the external population and checked on the even ones (README.md has both).
 constexpr double kFrontNeckAngle = 26.0 * kDegree;
-constexpr double kBackNeckAngle = 22.0 * kDegree;
 constexpr double kSideNeckAngle = 52.0 * kDegree;
 constexpr double kAcromionAngle = 52.0 * kDegree;
+// The front neck lies below the side necks by 1.7 to 3.1 % of the stature, C7 above the middle of both by 0.8 %.
+constexpr double kFrontNeckHighest = 0.0173;
+constexpr double kFrontNeckLowest = 0.0313;
+constexpr double kBackNeckRise = 0.0082;
+constexpr double kSideNeckPart = 0.849;   // Of the stature, where no side neck is found.
 constexpr double kNeckReach = 0.012;      // (unit: metre)
 constexpr double kShoulderReach = 0.018;  // (unit: metre)
 
@@ -74,53 +78,66 @@ size_t NearestSection(const NeckSections& neck, double height) {
   return static_cast<size_t>(std::clamp(number, 0.0, static_cast<double>(neck.heights.size() - 1)));
 }
 
-void FindOnMidline(const NeckSections& neck, double stature, double neck_height, BodyLandmarks& landmarks) {
-  std::vector<Eigen::Vector2d> front;
-  std::vector<Eigen::Vector2d> back;
+// The neck's outline against the midline plane, in front (sign +1) or behind (-1), by falling height.
+OutlineProfile MidlineProfile(const NeckSections& neck, double sign) {
+  std::vector<Eigen::Vector2d> points;
   for (size_t i = 0; i < neck.loops.size(); ++i) {
     const std::optional<DepthRange> range = DepthAt(neck.loops[i], neck.middle_x);
-    if (!range) continue;
-    front.emplace_back(range->front, neck.heights[i]);
-    back.emplace_back(-range->back, neck.heights[i]);
+    if (range) points.emplace_back(sign > 0.0 ? range->front : -range->back, neck.heights[i]);
   }
-  const auto place = [&](BodyLandmark landmark, const OutlineProfile& profile, std::optional<double> position,
-                         double sign) {
-    if (profile.size() == 0) return;
-    const bool found = position.has_value();
-    const double fallback = (profile.points().front().y() - 0.825 * stature) / kFineStep;
-    const Eigen::Vector2d point = profile.PointAt(found ? *position : fallback);
-    LandmarkEstimate& estimate = landmarks[landmark];
-    estimate.position = Eigen::Vector3d(neck.middle_x, point.y(), sign * point.x());
-    const double bridged = BridgedPart(neck.loops[NearestSection(neck, point.y())]);
-    estimate.confidence = std::max(0.1, (found ? 0.95 : 0.3) - bridged);
-  };
-  // From the deepest point of the throat down to where the profile has begun to lean out to the chest.
-  const OutlineProfile front_profile(std::move(front));
-  size_t deepest = 0;
-  for (size_t i = 0; i < front_profile.size(); ++i) {
-    const Eigen::Vector2d& p = front_profile.points()[i];
-    if (p.y() < neck_height - 0.06 * stature) break;
-    if (p.x() < front_profile.points()[deepest].x()) deepest = i;
-  }
-  place(BodyLandmark::kFrontNeck, front_profile, front_profile.FirstRiseAbove(kFrontNeckAngle, deepest, kNeckReach),
-        +1.0);
-  // The nape leans out, most at C7's upper edge, then runs straight down the back.
-  const OutlineProfile back_profile(std::move(back));
-  size_t steepest = 0;
-  double steepest_angle = -1.0;
-  for (size_t i = 0; i < back_profile.size(); ++i) {
-    if (back_profile.points()[i].y() < neck_height - 0.05 * stature) break;
-    const double angle = back_profile.AngleAt(i, kShoulderReach);
-    if (angle > steepest_angle) {
-      steepest_angle = angle;
-      steepest = i;
-    }
-  }
-  place(BodyLandmark::kBackNeckC7, back_profile,
-        back_profile.FirstFallBelow(std::min(kBackNeckAngle, 0.8 * steepest_angle), steepest, kShoulderReach), -1.0);
+  return OutlineProfile(std::move(points));
 }
 
-void FindOnSide(const NeckSections& neck, size_t thinnest, Side side, BodyLandmarks& landmarks) {
+// The first point of a profile at or below a height; the profile's end if there is none.
+size_t FirstBelow(const OutlineProfile& profile, double height) {
+  size_t i = 0;
+  while (i + 1 < profile.size() && profile.points()[i].y() > height) ++i;
+  return i;
+}
+
+// The front neck: from the deepest point of the throat down to where the profile has begun to lean out to the chest.
+void FindFrontNeck(const NeckSections& neck, double base_height, double stature, BodyLandmarks& landmarks) {
+  const OutlineProfile profile = MidlineProfile(neck, +1.0);
+  if (profile.size() < 3) return;
+  const size_t begin = FirstBelow(profile, base_height - kFrontNeckHighest * stature);
+  const size_t end = FirstBelow(profile, base_height - kFrontNeckLowest * stature);
+  size_t deepest = begin;
+  for (size_t i = begin; i < end; ++i) {
+    if (profile.points()[i].x() < profile.points()[deepest].x()) deepest = i;
+  }
+  const std::optional<double> lean = profile.FirstRiseAbove(kFrontNeckAngle, deepest, kNeckReach);
+  const bool found = lean && *lean <= static_cast<double>(end);
+  const Eigen::Vector2d point = profile.PointAt(found ? *lean : static_cast<double>(end));
+  const double bridged = BridgedPart(neck.loops[NearestSection(neck, point.y())]);
+  landmarks[BodyLandmark::kFrontNeck] = {Eigen::Vector3d(neck.middle_x, point.y(), point.x()),
+                                         std::max(0.1, (found ? 0.95 : 0.7) - bridged)};
+}
+
+// C7 has no shape of its own on the skin of most people: it closes the neck's base, the plane through front neck and
+// side necks, at the back.
+void FindBackNeck(const NeckSections& neck, double base_height, double stature, BodyLandmarks& landmarks) {
+  const OutlineProfile profile = MidlineProfile(neck, -1.0);
+  if (profile.size() == 0) return;
+  const double height =
+      0.5 * (base_height + landmarks[BodyLandmark::kFrontNeck].position.y()) + kBackNeckRise * stature;
+  const Eigen::Vector2d point = profile.points()[FirstBelow(profile, height)];
+  const double bridged = BridgedPart(neck.loops[NearestSection(neck, point.y())]);
+  landmarks[BodyLandmark::kBackNeckC7] = {Eigen::Vector3d(neck.middle_x, point.y(), -point.x()),
+                                          std::max(0.1, 0.7 - bridged)};
+}
+
+// How far the upper arm is raised from hanging straight down (unit: radian).
+double ArmAngle(const BodySlices& body, Side side) {
+  const MergePoint& armpit = body.armpit[IndexOf(side)];
+  const SectionLoop* upper = body.At(armpit.position.y() - 0.01).ArmLoop(side);
+  const SectionLoop* lower = body.At(armpit.position.y() - 0.08).ArmLoop(side);
+  if (!armpit.found || upper == nullptr || lower == nullptr) return 0.0;
+  return std::atan2(SignOf(side) * (lower->centroid.x() - upper->centroid.x()), 0.07);
+}
+
+// The neck's and shoulder's outline from the front: where the neck has turned into the shoulder's slope, and where that
+// slope turns down into the arm.
+void FindOnSide(const NeckSections& neck, size_t thinnest, double arm_angle, Side side, BodyLandmarks& landmarks) {
   const double sign = SignOf(side);
   std::vector<Eigen::Vector2d> outline;
   std::vector<double> depth;
@@ -145,9 +162,15 @@ void FindOnSide(const NeckSections& neck, size_t thinnest, Side side, BodyLandma
   const std::optional<double> side_neck = profile.FirstRiseAbove(kSideNeckAngle, thinnest, kShoulderReach);
   if (!side_neck) return;
   place(BodyLandmark::kSideNeckLeft, *side_neck);
-  // The shoulder's slope is passed before its edge.
+  // The shoulder's slope is passed before its edge. A raised arm goes on at its own angle: the edge is then half way
+  // between the slope's angle and the arm's.
   const size_t after = static_cast<size_t>(*side_neck) + 4;
-  const std::optional<double> acromion = profile.FirstFallBelow(kAcromionAngle, after, kShoulderReach);
+  double slope = kAcromionAngle;
+  for (size_t i = after; i < std::min(profile.size(), after + 20); ++i) {
+    slope = std::max(slope, profile.AngleAt(i, kShoulderReach));
+  }
+  const double edge = std::max(kAcromionAngle, 0.5 * (slope + arm_angle));
+  const std::optional<double> acromion = profile.FirstFallBelow(edge, after, kShoulderReach);
   if (acromion) place(BodyLandmark::kAcromionLeft, *acromion);
 }
 
@@ -158,8 +181,18 @@ void FindNeckAndShoulders(const BodyShape& shape, BodyLandmarks& landmarks) {
   if (thinnest == nullptr) return;
   const NeckSections neck = CutNeck(shape, *thinnest);
   if (neck.loops.size() < 3) return;
-  FindOnMidline(neck, shape.slices.stature, thinnest->height, landmarks);
-  for (const Side side : kSides) FindOnSide(neck, NearestSection(neck, thinnest->height), side, landmarks);
+  double base_height = 0.0;
+  int side_count = 0;
+  for (const Side side : kSides) {
+    FindOnSide(neck, NearestSection(neck, thinnest->height), ArmAngle(shape.slices, side), side, landmarks);
+    const LandmarkEstimate& side_neck = landmarks[OnSide(BodyLandmark::kSideNeckLeft, side)];
+    if (side_neck.confidence == 0.0) continue;
+    base_height += side_neck.position.y();
+    ++side_count;
+  }
+  base_height = side_count > 0 ? base_height / side_count : kSideNeckPart * shape.slices.stature;
+  FindFrontNeck(neck, base_height, shape.slices.stature, landmarks);
+  FindBackNeck(neck, base_height, shape.slices.stature, landmarks);
 }
 
 }  // namespace fitroom

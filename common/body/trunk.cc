@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "common/body/landmark_search.h"
 #include "common/body/outline_profile.h"
@@ -9,6 +10,8 @@ namespace fitroom {
 namespace {
 
 // Heights and widths are parts of the stature, lengths in metres. The windows are wider than people differ.
+constexpr double kBustDirection = 15.0 * std::numbers::pi / 180.0;
+constexpr double kNavelPart = 0.508;      // Of the way from the crotch up to the armpits.
 constexpr double kHipAboveCrotch = 0.03;  // Below, the section still holds the inner thighs (unit: metre).
 
 double Certainty(double bridge_length) { return std::clamp(0.95 - 2.0 * bridge_length, 0.1, 0.95); }
@@ -71,7 +74,7 @@ void FindArmpits(const BodySlices& body, BodyLandmarks& landmarks) {
     Eigen::Vector3d armpit = merge.position;
     // Along the hollow the height hardly changes: its middle is where the arm's own middle is.
     const BodySlice& below = body.At(armpit.y() - 0.01);
-    if (const SectionLoop* arm = below.ArmLoop(side)) armpit.z() = arm->centroid.y();
+    if (const SectionLoop* arm = below.ArmLoop(side)) armpit.z() = arm->bounds.center().y();
     Place(landmarks, OnSide(BodyLandmark::kArmpitLeft, side), armpit, Certainty(merge.bridge_length));
   }
 }
@@ -79,25 +82,30 @@ void FindArmpits(const BodySlices& body, BodyLandmarks& landmarks) {
 void FindBust(const BodySlices& body, double armpit_height, BodyLandmarks& landmarks, BodyMeasurements& measurements) {
   double height_sum = 0.0;
   for (const Side side : kSides) {
-    Eigen::Vector3d best(0.0, 0.0, -1e300);
+    // The direction in which a breast stands out: forwards and a little outwards. Straight forwards, a flat chest's
+    // farthest point would lie on the breastbone.
+    const Eigen::Vector2d outwards(SignOf(side) * std::sin(kBustDirection), std::cos(kBustDirection));
+    Eigen::Vector3d best = Eigen::Vector3d::Zero();
+    double farthest = -1e300;
     double bridge = 0.0;
     for (const BodySlice* slice : TrunkBetween(body, armpit_height - 0.06 * body.stature, armpit_height)) {
       for (const Eigen::Vector2d& p : slice->TrunkLoop()->points) {
         const double aside = SignOf(side) * (p.x() - MiddleX(*slice)) / body.stature;
-        if (aside < 0.02 || aside > 0.10 || p.y() <= best.z()) continue;
+        if (aside < 0.02 || aside > 0.09 || p.dot(outwards) <= farthest) continue;
+        farthest = p.dot(outwards);
         best = Eigen::Vector3d(p.x(), slice->height, p.y());
         bridge = slice->TrunkLoop()->bridge_length;
       }
     }
-    if (best.z() == -1e300) return;
+    if (farthest == -1e300) return;
     height_sum += best.y();
     Place(landmarks, OnSide(BodyLandmark::kBustPointLeft, side), best, Certainty(bridge));
   }
   const BodySlice& slice = body.At(0.5 * height_sum);
-  if (slice.trunk >= 0) measurements.bust = TapeOf(slice);
+  if (slice.trunk >= 0) measurements.bust = {TapeOf(slice).girth, 0.5 * height_sum};
 }
 
-void FindWaist(const BodySlices& body, double crotch, double bust, BodyLandmarks& landmarks,
+void FindWaist(const BodySlices& body, double crotch, double bust, double armpit, BodyLandmarks& landmarks,
                BodyMeasurements& measurements) {
   const BodySlice* waist = nullptr;
   for (const BodySlice* slice : TrunkBetween(body, crotch + 0.11 * body.stature, bust - 0.05 * body.stature)) {
@@ -113,8 +121,8 @@ void FindWaist(const BodySlices& body, double crotch, double bust, BodyLandmarks
   const double certainty = Certainty(waist->TrunkLoop()->bridge_length);
   Place(landmarks, BodyLandmark::kWaistFront, Eigen::Vector3d(x, waist->height, range->front), certainty);
   Place(landmarks, BodyLandmark::kWaistBack, Eigen::Vector3d(x, waist->height, range->back), certainty);
-  // A scan seldom resolves the navel: its usual place between crotch and waist.
-  const BodySlice& navel = body.At(crotch + 0.82 * (waist->height - crotch));
+  // A scan seldom resolves the navel: its usual place between crotch and armpits.
+  const BodySlice& navel = body.At(crotch + kNavelPart * (armpit - crotch));
   if (navel.trunk < 0) return;
   const double navel_x = MiddleX(navel);
   if (const auto depth = DepthAt(*navel.TrunkLoop(), navel_x)) {
@@ -122,27 +130,39 @@ void FindWaist(const BodySlices& body, double crotch, double bust, BodyLandmarks
   }
 }
 
+// The slice of the seat that reaches farthest along a direction in its plane.
+const BodySlice* FarthestSlice(const std::vector<const BodySlice*>& seat, const Eigen::Vector2d& direction) {
+  const BodySlice* farthest = nullptr;
+  double reach = -1e300;
+  for (const BodySlice* slice : seat) {
+    const double here = FarthestAlong(*slice->TrunkLoop(), direction).dot(direction);
+    if (here <= reach) continue;
+    reach = here;
+    farthest = slice;
+  }
+  return farthest;
+}
+
 void FindHip(const BodySlices& body, double crotch, BodyLandmarks& landmarks, BodyMeasurements& measurements) {
-  const BodySlice* buttock = nullptr;
-  double rearmost = 1e300;
-  for (const BodySlice* slice : TrunkBetween(body, crotch + kHipAboveCrotch, crotch + 0.13 * body.stature)) {
+  const std::vector<const BodySlice*> seat = TrunkBetween(body, crotch + kHipAboveCrotch, crotch + 0.13 * body.stature);
+  for (const BodySlice* slice : seat) {
     const GirthMeasurement tape = TapeOf(*slice);
     if (tape.girth > measurements.hip.girth) measurements.hip = tape;
-    if (slice->TrunkLoop()->bounds.min().y() < rearmost) {
-      rearmost = slice->TrunkLoop()->bounds.min().y();
-      buttock = slice;
-    }
   }
+  const BodySlice* buttock = FarthestSlice(seat, Eigen::Vector2d(0.0, -1.0));
   if (buttock == nullptr) return;
-  const double certainty = Certainty(buttock->TrunkLoop()->bridge_length);
+  // The great trochanters lie a little above the level of the buttocks' farthest points.
+  const BodySlice& hip = body.At(buttock->height + 0.007 * body.stature);
   for (const Side side : kSides) {
-    const Eigen::Vector2d p = FarthestAlong(*buttock->TrunkLoop(), Eigen::Vector2d(SignOf(side), 0.0));
-    Place(landmarks, OnSide(BodyLandmark::kHipSideLeft, side), Eigen::Vector3d(p.x(), buttock->height, p.y()),
-          certainty);
+    if (hip.trunk < 0) break;
+    const Eigen::Vector2d p = FarthestAlong(*hip.TrunkLoop(), Eigen::Vector2d(SignOf(side), 0.0));
+    Place(landmarks, OnSide(BodyLandmark::kHipSideLeft, side), Eigen::Vector3d(p.x(), hip.height, p.y()),
+          Certainty(hip.TrunkLoop()->bridge_length));
   }
   const double x = MiddleX(*buttock);
   if (const auto range = DepthAt(*buttock->TrunkLoop(), x)) {
-    Place(landmarks, BodyLandmark::kButtockMidBack, Eigen::Vector3d(x, buttock->height, range->back), certainty);
+    Place(landmarks, BodyLandmark::kButtockMidBack, Eigen::Vector3d(x, buttock->height, range->back),
+          Certainty(buttock->TrunkLoop()->bridge_length));
   }
 }
 
@@ -181,7 +201,7 @@ void FindTrunk(const BodyShape& shape, BodyLandmarks& landmarks, BodyMeasurement
   const double crotch = landmarks[BodyLandmark::kCrotch].position.y();
   FindBust(body, armpit_height, landmarks, measurements);
   const double bust = measurements.bust.height > 0.0 ? measurements.bust.height : armpit_height - 0.02 * body.stature;
-  FindWaist(body, crotch, bust, landmarks, measurements);
+  FindWaist(body, crotch, bust, armpit_height, landmarks, measurements);
   FindHip(body, crotch, landmarks, measurements);
   MeasureNeck(body, measurements);
 }
