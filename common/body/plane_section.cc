@@ -150,12 +150,14 @@ std::vector<int> PairOpenEnds(const std::vector<Chain>& open, double max_bridge)
   const auto point = [&open](size_t end) {
     return end % 2 == 0 ? open[end / 2].points.front() : open[end / 2].points.back();
   };
+  std::vector<double> lengths;
+  for (const Chain& chain : open) lengths.push_back(OpenLength(chain));
   for (size_t i = 0; i < partner.size(); ++i) {
     for (size_t j = i + 1; j < partner.size(); ++j) {
       double cost = (point(i) - point(j)).norm();
       if (cost > max_bridge) continue;
       // A shred inside a hole would close on itself before it joins the outline it is part of.
-      if (i / 2 == j / 2 && OpenLength(open[i / 2]) < 3.0 * cost) cost *= 4.0;
+      if (i / 2 == j / 2 && lengths[i / 2] < 3.0 * cost) cost *= 4.0;
       bridges.push_back({cost, static_cast<int>(i), static_cast<int>(j)});
     }
   }

@@ -48,7 +48,22 @@ Eigen::Matrix3d RotationToY(const Eigen::Vector3d& up) {
   return rotation;
 }
 
-// Cuts the mesh at evenly spaced levels. An empty result for a mesh without height.
+// Segments that all levels together may cut. A scan of 8 million triangles has 1.2 million; a mesh that has more is no
+// surface but a tangle of long triangles, and would take minutes.
+constexpr double kMaxSegmentCount = 4e6;
+
+double ExpectedSegmentCount(const TriangleMesh& mesh) {
+  double count = 0.0;
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    const double a = mesh.vertices[static_cast<size_t>(t[0])].y();
+    const double b = mesh.vertices[static_cast<size_t>(t[1])].y();
+    const double c = mesh.vertices[static_cast<size_t>(t[2])].y();
+    count += kLevelCount * (std::max({a, b, c}) - std::min({a, b, c}));
+  }
+  return count;
+}
+
+// Cuts the mesh at evenly spaced levels. An empty result for a mesh without height, or of too long triangles.
 Upright StandUpright(const TriangleMesh& mesh, const Eigen::Vector3d& up) {
   Upright upright;
   upright.rotation = RotationToY(up);
@@ -62,6 +77,7 @@ Upright StandUpright(const TriangleMesh& mesh, const Eigen::Vector3d& up) {
   upright.origin = upright.rotation.transpose() * corner;
   for (Eigen::Vector3d& p : turned.vertices) p = (p - corner) / upright.height;
   turned.triangles = mesh.triangles;
+  if (ExpectedSegmentCount(turned) > kMaxSegmentCount) return upright;
   const HeightIndex index(turned, kLevelCount);
   SectionOptions options;
   options.min_area = kMinLimbArea;
@@ -197,7 +213,7 @@ Status CheckStance(const Shins& shins, const SingleMass& trunk, const SingleMass
   }
   if ((trunk.middle - shins.middle).norm() > 0.15) return missing("the trunk is not above the legs");
   if (3 * head.single_levels < 2 * head.level_count) return missing("there is no head at its upper end");
-  if (head.area < 0.002 || head.area > 0.035 || head.size.x() > 0.3) return missing("the head has not a head's size");
+  if (head.area < 0.002 || head.area > 0.035 || head.size.x() > 0.2) return missing("the head has not a head's size");
   if ((head.middle - trunk.middle).norm() > 0.15) return missing("the head is not above the trunk");
   return {};
 }
@@ -248,7 +264,7 @@ void ChooseForward(const Upright& upright, const SingleMass& head, Eigen::Vector
 
 Result<Stance> FindStanceAlong(const TriangleMesh& mesh, const Eigen::Vector3d& up, bool sign_is_known) {
   Upright upright = StandUpright(mesh, up);
-  if (upright.levels.empty()) return InvalidArgument("NOT_A_BODY", "the mesh is flat; this is not a body");
+  if (upright.levels.empty()) return InvalidArgument("NOT_A_BODY", "the mesh is flat or a tangle; this is not a body");
   Status failure;
   for (const bool over : {false, true}) {
     if (over && sign_is_known) break;
