@@ -18,7 +18,7 @@ namespace fitroom {
 namespace {
 
 constexpr double kLeastPitch = 0.002;  // (unit: metre)
-constexpr double kLargestPitch = 0.1;  // (unit: metre)
+constexpr double kLargestPitch = 0.05; // (unit: metre)
 
 // Returns the points' places in an order by rows of the lattice upwards, each from right to left of the wearer.
 std::vector<int> RowOrder(const std::vector<Eigen::Vector2d>& points, double pitch) {
@@ -84,7 +84,7 @@ Result<std::vector<int>> AppendPanel(const PanelPattern& panel, const panels::Ou
 
 Result<ClothMesh> MeshPattern(const GarmentPattern& pattern, double pitch) {
   if (!(pitch >= kLeastPitch && pitch <= kLargestPitch)) {
-    return InvalidArgument("PITCH_OUT_OF_RANGE", "the mesh pitch must lie between 2 and 100 mm");
+    return InvalidArgument("PITCH_OUT_OF_RANGE", "the mesh pitch must lie between 2 and 50 mm");
   }
   const panels::OutlineSamples front = panels::SampleOutline(pattern.front, pitch);
   const panels::OutlineSamples back = panels::SampleOutline(pattern.back, pitch);

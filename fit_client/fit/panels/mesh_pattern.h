@@ -6,7 +6,7 @@
 
 namespace fitroom {
 
-// Cuts a pattern into a cloth mesh with edges of about `pitch` (unit: metre, 0.002 to 0.1).
+// Cuts a pattern into a cloth mesh with edges of about `pitch` (unit: metre, 0.002 to 0.05).
 // Both panels have the same samples on every seam, paired one to one, corners included; corners and, where the pitch
 // allows, all other named points carry a particle exactly; a named point that does not names its nearest neighbour on
 // the section. Particles are ordered panel by panel in rows upwards, each row from the wearer's right to left, so that

@@ -28,6 +28,8 @@ constexpr double kMaxScaleError = 0.15;
 // A length of one side that differs from the other's by this share in both photographs, in the same direction, is
 // meant.
 constexpr double kAsymmetry = 0.15;
+// Hems of front and back that differ by more than this are meant to (unit: metre).
+constexpr double kOwnHem = 0.03;
 // The back neck of a garment shown from the front only (share of the front's depth; at most, unit: metre).
 constexpr double kShallowNeckShare = 0.3;
 constexpr double kShallowNeckMax = 0.025;
@@ -98,6 +100,18 @@ Polyline OwnSection(const SectionLayout& section, const std::vector<int>& knots,
   panels::MoveEnds(points, first, last);
   Smooth(section, knots, points);
   return asymmetric ? points : Mean(points, panels::Mirrored(points));
+}
+
+// Gives both panels the mean hem where they differ little: one photograph's hem hangs where the other's is pushed up,
+// and a fold or the other panel's hem peeps out below. A hem that is cut lower behind differs by more.
+void ShareHem(size_t hem, GarmentPattern& pattern) {
+  Polyline& front = pattern.front.sections[hem].points;
+  Polyline& back = pattern.back.sections[hem].points;
+  double difference = 0.0;
+  for (size_t i = 0; i < front.size(); ++i) difference = std::max(difference, (front[i] - back[i]).norm());
+  if (difference > kOwnHem) return;
+  front = Mean(front, back);
+  back = front;
 }
 
 // Makes a neck shallow: half an ellipse between its ends.
@@ -186,6 +200,9 @@ Result<GarmentPattern> ReconcileViews(const Garment& garment) {
       if (s == 0 && samples == &back && !garment.back) MakeShallow(sections[s], knots[s][1]);
     }
     *panel = MakePanel(layout, knots, *outline, *samples, sections);
+  }
+  for (size_t s = 0; s < layout.size(); ++s) {
+    if (layout[s].name == "hem") ShareHem(s, pattern);
   }
   FR_RETURN_IF_ERROR(Normalise(garment.length, pattern));
   for (const PanelPattern* panel : {&pattern.front, &pattern.back}) {

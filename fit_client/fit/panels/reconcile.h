@@ -8,12 +8,12 @@ namespace fitroom {
 
 // Makes one garment of a front and a back photograph that were taken apart: tilted, scaled and crumpled differently,
 // and never symmetric. Each view is stood upright by its own points, mirrored into the wearer's frame and scaled;
-// seams get one shape and one length from both views and both sides; necks and hems stay each view's own; all become
-// smooth curves; the whole is scaled to the garment's length (highest point of the shoulder straight down to the hem).
-// Without a back photograph the front's serves for both, mirrored so that it reads from behind, with a shallow neck.
-// Fails with INVALID_ARGUMENT: KIND_NOT_SUPPORTED, BAD_OUTLINE, BAD_SCALE, POINT_MISSING, POINT_OFF_OUTLINE,
-// POINTS_OUT_OF_ORDER, SCALE_CONTRADICTS_LENGTH (a view's scale and the length differ by more than 15 %),
-// OUTLINE_NOT_A_GARMENT (the reconciled outline crosses itself).
+// seams get one shape and one length from both views and both sides; necks stay each view's own, and hems where they
+// differ by more than 3 cm; all become smooth curves; the whole is scaled to the garment's length (highest point of the
+// shoulder straight down to the hem). Without a back photograph the front's serves for both, mirrored so that it reads
+// from behind, with a shallow neck. Fails with INVALID_ARGUMENT: KIND_NOT_SUPPORTED, BAD_OUTLINE, BAD_SCALE,
+// POINT_MISSING, POINT_OFF_OUTLINE, POINTS_OUT_OF_ORDER, SCALE_CONTRADICTS_LENGTH (a view's scale and the length differ
+// by more than 15 %), OUTLINE_NOT_A_GARMENT (the reconciled outline crosses itself).
 Result<GarmentPattern> ReconcileViews(const Garment& garment);
 
 }  // namespace fitroom
