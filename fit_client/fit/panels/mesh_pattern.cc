@@ -13,12 +13,13 @@
 #include "fit_client/fit/panels/panel_mesher.h"
 #include "fit_client/fit/panels/photo_warp.h"
 #include "fit_client/fit/panels/sleeve_weights.h"
+#include "fit_client/fit/panels/unfold_texture.h"
 
 namespace fitroom {
 namespace {
 
-constexpr double kLeastPitch = 0.002;  // (unit: metre)
-constexpr double kLargestPitch = 0.05; // (unit: metre)
+constexpr double kLeastPitch = 0.002;   // (unit: metre)
+constexpr double kLargestPitch = 0.05;  // (unit: metre)
 
 // Returns the points' places in an order by rows of the lattice upwards, each from right to left of the wearer.
 std::vector<int> RowOrder(const std::vector<Eigen::Vector2d>& points, double pitch) {
@@ -46,14 +47,16 @@ Result<std::vector<int>> AppendPanel(const PanelPattern& panel, const panels::Ou
   const PhotoWarp warp(panel);
   const panels::SleeveWeight left_sleeve(panel, /*left=*/true), right_sleeve(panel, /*left=*/false);
   const Eigen::Array2d image_size(panel.image_width, panel.image_height);
+  std::vector<Eigen::Vector2d> pixels = outline.pixels;
+  for (size_t v = pixels.size(); v < flat.points.size(); ++v) pixels.push_back(warp.PixelAt(flat.points[v]));
+  panels::UnfoldTexture(flat, static_cast<int>(outline.pixels.size()), pixels);
   for (size_t i = 0; i < order.size(); ++i) {
     const size_t v = static_cast<size_t>(order[i]);
     const Eigen::Vector2d& point = flat.points[v];
     particle_of[v] = base + static_cast<int>(i);
     mesh.rest_positions.emplace_back(point.x(), point.y(), 0.0);
     mesh.panel_of_particle.push_back(is_front ? 0 : 1);
-    const Eigen::Vector2d pixel = v < outline.pixels.size() ? outline.pixels[v] : warp.PixelAt(point);
-    mesh.texture_coordinates.emplace_back((pixel.array() / image_size).matrix());
+    mesh.texture_coordinates.emplace_back((pixels[v].array() / image_size).matrix());
     mesh.left_sleeve_weights.push_back(left_sleeve.At(point));
     mesh.right_sleeve_weights.push_back(right_sleeve.At(point));
   }

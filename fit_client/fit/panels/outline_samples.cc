@@ -10,7 +10,9 @@ namespace fitroom::panels {
 namespace {
 
 // A knot nearer to its neighbour than this is not sampled (unit: pitch).
-constexpr double kLeastSpan = 0.75;
+constexpr double kLeastSpan = 0.8;
+// A short span that would become one longer edge is halved instead (unit: pitch).
+constexpr double kLongestStep = 1.3;
 
 // The arc lengths of the samples of one section, from 0 to its length.
 std::vector<double> SampleArcs(const OutlineSection& section, const std::vector<double>& arcs, double pitch) {
@@ -24,7 +26,8 @@ std::vector<double> SampleArcs(const OutlineSection& section, const std::vector<
   std::vector<double> samples = {0.0};
   for (size_t i = 1; i < stops.size(); ++i) {
     const double span = stops[i] - stops[i - 1];
-    const int count = std::max(1, static_cast<int>(std::lround(span / pitch)));
+    int count = std::max(1, static_cast<int>(std::lround(span / pitch)));
+    if (span / count > kLongestStep * pitch) ++count;
     for (int k = 1; k < count; ++k) samples.push_back(stops[i - 1] + span * k / count);
     samples.push_back(stops[i]);
   }

@@ -21,7 +21,7 @@ struct OutlineSamples {
   std::vector<Named> named;  // Each named point once.
 };
 
-// Samples all sections. Corners are samples exactly; so are the other knots that lie at least 0.75 pitches from their
+// Samples all sections. Corners are samples exactly; so are the other knots that lie at least 0.8 pitches from their
 // neighbours. The number of samples depends on the section's points alone, so that equal seams are sampled equally.
 OutlineSamples SampleOutline(const PanelPattern& panel, double pitch);
 

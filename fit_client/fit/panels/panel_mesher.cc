@@ -14,7 +14,9 @@ namespace {
 
 // A lattice point nearer to the outline than this is left out (unit: pitch). Tuned on the drawn shirt and seven real
 // ones: below 0.55 short edges remain, above 0.75 the gap at the outline gets edges longer than 1.6 pitches.
-constexpr double kOutlineClearance = 0.66;
+constexpr double kOutlineClearance = 0.70;
+// An inner edge longer than this is split once (unit: pitch).
+constexpr double kLongEdge = 1.38;
 // Points further than this from the outline are not moved (unit: pitch).
 constexpr double kSmoothingDepth = 3.5;
 constexpr int kSmoothingRounds = 3;
@@ -106,10 +108,35 @@ bool IsPositive(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen:
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x()) > least;
 }
 
+// Puts a point into the middle of each edge that is too long and not between two outline points; middles that crowd
+// the outline or each other are left out.
+void SplitLongEdges(const OutlineDistance& distance, int outline_count, double pitch, PanelMesh& mesh) {
+  std::vector<Eigen::Vector2d> middles;
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = t[k], b = t[(k + 1) % 3];
+      if (a > b || b < outline_count) continue;  // Each inner edge is seen from both sides; one is enough.
+      const Eigen::Vector2d& p = mesh.points[static_cast<size_t>(a)];
+      const Eigen::Vector2d& q = mesh.points[static_cast<size_t>(b)];
+      if ((p - q).norm() < kLongEdge * pitch) continue;
+      const Eigen::Vector2d middle = 0.5 * (p + q);
+      const bool crowded = distance.At(middle) < 0.5 * pitch ||
+                           std::any_of(middles.begin(), middles.end(),
+                                       [&](const auto& other) { return (other - middle).norm() < 0.75 * pitch; });
+      if (!crowded) middles.push_back(middle);
+    }
+  }
+  mesh.points.insert(mesh.points.end(), middles.begin(), middles.end());
+}
+
 // Moves the points near the outline towards the middle of their neighbours. A move that would turn a triangle over is
 // not made.
-void SmoothNearOutline(int outline_count, const std::vector<bool>& may_move, double pitch, PanelMesh& mesh) {
+void SmoothNearOutline(int outline_count, const OutlineDistance& distance, double pitch, PanelMesh& mesh) {
   const size_t count = mesh.points.size();
+  std::vector<bool> may_move(count, false);
+  for (size_t v = static_cast<size_t>(outline_count); v < count; ++v) {
+    may_move[v] = distance.At(mesh.points[v]) < kSmoothingDepth * pitch;
+  }
   std::vector<std::vector<int>> triangles_of(count);
   for (size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (int k = 0; k < 3; ++k) {
@@ -157,14 +184,14 @@ Result<PanelMesh> MeshPanel(std::span<const Eigen::Vector2d> outline, double pit
   AddLattice(outline, distance, pitch, mesh.points);
 
   const int outline_count = static_cast<int>(outline.size());
-  std::vector<bool> may_move(mesh.points.size(), false);
-  for (size_t v = outline.size(); v < mesh.points.size(); ++v) {
-    may_move[v] = distance.At(mesh.points[v]) < kSmoothingDepth * pitch;
-  }
   for (int round = 0;; ++round) {
     FR_ASSIGN_OR_RETURN(mesh.triangles, TriangulatePolygon(mesh.points, outline_count));
     if (round == kSmoothingRounds) break;
-    SmoothNearOutline(outline_count, may_move, pitch, mesh);
+    if (round == 1) {
+      SplitLongEdges(distance, outline_count, pitch, mesh);
+      FR_ASSIGN_OR_RETURN(mesh.triangles, TriangulatePolygon(mesh.points, outline_count));
+    }
+    SmoothNearOutline(outline_count, distance, pitch, mesh);
   }
   return mesh;
 }

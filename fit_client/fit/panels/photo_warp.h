@@ -10,7 +10,8 @@ namespace fitroom {
 
 // The smooth map from a panel to its photograph: outline onto outline exactly, the inside by mean-value coordinates
 // (Hormann and Floater, "Mean value coordinates for arbitrary planar polygons", 2006), which carry a similarity of the
-// outline on to the inside unchanged. Immutable; safe to share between threads.
+// outline on to the inside unchanged. At a corner that the photograph creases (the underarm) it may fold over within a
+// centimetre; MeshPattern() mends that on the mesh. Immutable; safe to share between threads.
 class PhotoWarp {
  public:
   explicit PhotoWarp(const PanelPattern& panel);

@@ -27,7 +27,9 @@ using panels::ViewSamples;
 constexpr double kMaxScaleError = 0.15;
 // A length of one side that differs from the other's by this share in both photographs, in the same direction, is
 // meant.
+// Short lengths differ by more for no reason: the difference must also be this long (unit: metre).
 constexpr double kAsymmetry = 0.15;
+constexpr double kAsymmetryLength = 0.03;
 // Hems of front and back that differ by more than this are meant to (unit: metre).
 constexpr double kOwnHem = 0.03;
 // The back neck of a garment shown from the front only (share of the front's depth; at most, unit: metre).
@@ -58,9 +60,9 @@ bool IsAsymmetric(const std::vector<SectionLayout>& layout, const std::vector<co
     for (const ViewSamples* view : views) {
       const double own = panels::ChainLength(view->points[s]);
       const double other = panels::ChainLength(view->points[mirror]);
-      const double difference = (own - other) / (0.5 * (own + other));
-      all_longer = all_longer && difference > kAsymmetry;
-      all_shorter = all_shorter && difference < -kAsymmetry;
+      const double least = std::max(kAsymmetry * 0.5 * (own + other), kAsymmetryLength);
+      all_longer = all_longer && own - other > least;
+      all_shorter = all_shorter && other - own > least;
     }
     if (all_longer || all_shorter) return true;
   }

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "fit_client/fit/panels/polyline.h"
 #include "fit_client/fit/panels/reconcile.h"
@@ -139,7 +139,7 @@ TEST_P(MeshPatternAtPitch, PutsParticlesOnThePointsAndShowsTheirPixels) {
       const size_t particle = static_cast<size_t>(named[prefix + name]);
       const double distance = (mesh_.rest_positions[particle].head<2>() - *FindPatternPoint(*panel, name)).norm();
       if (!corners.contains(name)) {
-        EXPECT_LE(distance, 0.75 * GetParam()) << prefix << name;
+        EXPECT_LE(distance, 0.8 * GetParam()) << prefix << name;
         continue;
       }
       EXPECT_LT(distance, 1e-12) << prefix << name;
@@ -199,6 +199,26 @@ TEST_P(MeshPatternAtPitch, WeighsSleevesSmoothlyFromZeroToOne) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Pitches, MeshPatternAtPitch, ::testing::Values(0.02, 0.01, 0.005));
+
+TEST(MeshPattern, NeverTurnsATriangleOfTheTextureOver) {
+  // Far more bend, crumple and turned sleeves than a shop would photograph: the plain warp folds at the underarms.
+  const Garment garment =
+      DrawGarment(DrawnTShirt(), {.tilt_deg = 5, .sway = 0.01, .crumple = 0.003, .sleeve_turn_deg = 12},
+                  {.tilt_deg = -4, .pixels_per_metre = 600, .sway = -0.01, .crumple = 0.003, .sleeve_turn_deg = -12});
+  const Result<GarmentPattern> pattern = ReconcileViews(garment);
+  ASSERT_TRUE(pattern.ok()) << pattern.status().ToString();
+  for (double pitch : {0.02, 0.01, 0.005}) {
+    const Result<ClothMesh> mesh = MeshPattern(*pattern, pitch);
+    ASSERT_TRUE(mesh.ok()) << mesh.status().ToString();
+    for (const Eigen::Vector3i& t : mesh->triangles) {
+      const auto at = [&](int k) { return mesh->texture_coordinates[static_cast<size_t>(t[k])]; };
+      const Eigen::Vector2d u = at(1) - at(0), v = at(2) - at(0);
+      // Texture rows run down, so counter-clockwise from outside is clockwise, that is negative, on both panels.
+      EXPECT_LT(u.x() * v.y() - u.y() * v.x(), 0.0)
+          << "pitch " << pitch << " at " << mesh->rest_positions[static_cast<size_t>(t[0])].transpose();
+    }
+  }
+}
 
 TEST(MeshPattern, GivesTheSameBytesEachTime) {
   const GarmentPattern pattern = CrumpledPattern();
