@@ -54,6 +54,8 @@ class AseReader {
   int64_t ReadIndex(std::string_view what, int64_t count);
   bool SkipLabel(char letter);
   void SkipLine();
+  // Says whether a number was read and a word ends behind it: "1,5" and "1.2.3" are no numbers.
+  bool EndsWord(const char* next) const { return next != nullptr && (next == end_ || IsSpace(*next) || *next == '}'); }
   bool Fail(Status status);
   bool FailTwice(const char* position, std::string_view what, int64_t index);
   void ReadMaterials();
@@ -73,6 +75,7 @@ class AseReader {
   const char* p_;
   const char* end_;
   ScanBuilder builder_;
+  bool has_materials_ = false;
   Status failure_;  // Why the last entry of a list could not be read.
   ByteFinder open_{'{'}, close_{'}'}, quote_{'"'}, line_end_{source_.line_end()};
 };
@@ -184,7 +187,8 @@ Status AseReader::ReadTopLevel() {
       FR_RETURN_IF_ERROR(EnterBlock());
       if (group_depth++ == 0) group_start = start;
     } else if (keyword == "MATERIAL_LIST") {
-      ReadMaterials();
+      if (!has_materials_) ReadMaterials();
+      has_materials_ = true;
       FR_RETURN_IF_ERROR(SkipValue());
     } else if (keyword == "COMMENT") {
       if (const std::string_view comment = ReadQuoted(); !comment.empty()) builder_.AddComment(comment);
@@ -367,11 +371,10 @@ Status AseReader::ReadVertexList(MeshProgress& mesh) {
     Eigen::Vector3d vertex;
     for (int axis = 0; axis < 3; ++axis) {
       const auto coordinate = ParseDouble(p_, end_);
-      if (coordinate.next == nullptr) return Fail(builder_.MalformedCoordinates(start));
+      if (!EndsWord(coordinate.next)) return Fail(builder_.MalformedCoordinates(start));
       vertex[axis] = coordinate.value;
       p_ = coordinate.next;
     }
-    if (p_ < end_ && !IsSpace(*p_) && *p_ != '}') return Fail(builder_.MalformedCoordinates(start));
     if (!IsUsableCoordinate(vertex)) return Fail(builder_.UnusableCoordinates(start));
     if (!std::isnan(vertices[index].x())) return FailTwice(start, "vertex", index);
     vertices[index] = vertex;
@@ -424,8 +427,8 @@ Status AseReader::ReadTextureVertexList(MeshProgress& mesh) {
     if (index < 0) return false;
     const char* const start = p_;
     const auto u = ParseDouble(p_, end_);
-    const auto v = u.next != nullptr ? ParseDouble(u.next, end_) : u;
-    if (v.next == nullptr) return Fail(builder_.MalformedCoordinates(start));
+    const auto v = EndsWord(u.next) ? ParseDouble(u.next, end_) : ParsedNumber<double>();
+    if (!EndsWord(v.next)) return Fail(builder_.MalformedCoordinates(start));
     if (!IsUsableCoordinate(Eigen::Vector3d(u.value, v.value, 0))) return Fail(builder_.UnusableCoordinates(start));
     if (!std::isnan(coordinates[index].x())) return FailTwice(start, "texture vertex", index);
     coordinates[index] = Eigen::Vector2f(static_cast<float>(u.value), static_cast<float>(v.value));
