@@ -12,8 +12,9 @@ namespace fitroom {
 
 // How a top is held up to the body before it is sewn.
 struct StartPoseOptions {
-  double clearance = 0.010;  // From the body's surface to the cloth (unit: metre).
-  double apart = 0.15;       // How far in front and behind the panels start (unit: metre).
+  double clearance =
+      0.006;            // From the body to the cloth; a wider tube shrinks onto the hip and climbs it (unit: metre).
+  double apart = 0.15;  // How far in front and behind the panels start (unit: metre).
   double map_pitch = 0.004;  // Of the frontal map of the body (unit: metre).
 };
 
