@@ -9,5 +9,7 @@ namespace fitroom::fit_client {
 
 // drape: runs the cloth solver on given meshes.
 void AddDrapeCommand(CLI::App& app, int& exit_code);
+// fit: dresses a body in a garment.
+void AddFitCommand(CLI::App& app, int& exit_code);
 
 }  // namespace fitroom::fit_client

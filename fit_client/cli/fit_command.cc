@@ -25,6 +25,7 @@ struct FitFlags {
   bool json = false;
   bool no_pictures = false;
   bool no_model = false;
+  bool meshes = false;
 };
 
 Result<BodyInput> LoadBody(const FitFlags& flags) {
@@ -51,6 +52,7 @@ Status RunFit(const FitFlags& flags) {
   FitOutputOptions outputs;
   outputs.pictures = !flags.no_pictures;
   outputs.glb = !flags.no_model;
+  outputs.meshes = flags.meshes;
   outputs.thread_count = executor.thread_count();
   FR_RETURN_IF_ERROR(WriteFitOutputs(flags.out, body, garment, fit, outputs, stopwatch, progress));
   const std::string text = flags.json ? WriteJson(fit.report) : WriteText(fit.report);
@@ -80,6 +82,7 @@ void AddFitCommand(CLI::App& app, int& exit_code) {
   command->add_flag("--json", flags->json, "Print the report as JSON");
   command->add_flag("--no-pictures", flags->no_pictures, "Do not draw");
   command->add_flag("--no-model", flags->no_model, "Do not write the GLB");
+  command->add_flag("--meshes", flags->meshes, "Also write garment, panels, body and seams as OBJ and text");
   command->callback([flags, &exit_code] { exit_code = ReportAndExitCode("fit_client fit", RunFit(*flags)); });
 }
 

@@ -78,8 +78,12 @@ void DescribeOutcome(const DrapeReport& drape, const DrapeOptions& options, FitR
     case DrapeOutcome::kAtRest:
       report.finishing_reason = drape.touching_condition_met ? "AT_REST" : "AT_REST_OFF_THE_SHOULDER";
       break;
-    case DrapeOutcome::kSeamsOpen: report.finishing_reason = "SEAMS_DO_NOT_CLOSE"; break;
-    case DrapeOutcome::kNotAtRest: report.finishing_reason = "STEP_LIMIT"; break;
+    case DrapeOutcome::kSeamsOpen:
+      report.finishing_reason = "SEAMS_DO_NOT_CLOSE";
+      break;
+    case DrapeOutcome::kNotAtRest:
+      report.finishing_reason = "STEP_LIMIT";
+      break;
   }
   report.finishing_text = drape.finishing_reason;
   if (!drape.touching_condition_met) {
@@ -87,17 +91,19 @@ void DescribeOutcome(const DrapeReport& drape, const DrapeOptions& options, FitR
                               std::to_string(std::lround(1000.0 * drape.touching_distance_max)) +
                               " mm off the body: the garment may be much too wide for these shoulders");
   }
-  report.stages.push_back({"merging", std::to_string(drape.seam_pair_count - drape.open_seam_count) + " of " +
-                                          std::to_string(drape.seam_pair_count) + " seam pairs closed",
+  report.stages.push_back({"merging",
+                           std::to_string(drape.seam_pair_count - drape.open_seam_count) + " of " +
+                               std::to_string(drape.seam_pair_count) + " seam pairs closed",
                            drape.merging_substeps});
   report.stages.push_back({"gravity", std::string(DrapeOutcomeName(drape.outcome)), drape.draping_substeps});
-  report.residuals.push_back({"shoulder points to body", "shoulder_distance", drape.touching_distance_max,
-                              options.touching_distance, "m"});
-  report.residuals.push_back({"speed of 99 % of the particles", "speed_p99", drape.speed_p99,
-                              options.rest_speed_of_99_percent, "m/s"});
+  report.residuals.push_back(
+      {"shoulder points to body", "shoulder_distance", drape.touching_distance_max, options.touching_distance, "m"});
+  report.residuals.push_back(
+      {"speed of 99 % of the particles", "speed_p99", drape.speed_p99, options.rest_speed_of_99_percent, "m/s"});
   report.seams = {drape.seam_pair_count, drape.open_seam_count, drape.seam_gap_mean, drape.seam_gap_p95,
                   drape.final_seam_gap_max};
-  report.penetration = {drape.particles_inside, drape.sample_count, drape.samples_inside, drape.deepest_penetration};
+  report.penetration = {drape.particles_inside, report.penetration.triangle_sample_count, drape.samples_inside,
+                        drape.deepest_penetration};
   report.strain = {drape.strain_p50, drape.strain_p95, drape.strain_p99, drape.strain_max};
   report.substep_count = drape.merging_substeps + drape.draping_substeps;
 }
@@ -124,11 +130,13 @@ Result<Fit> FitGarment(const BodyInput& body, const GarmentInput& garment, const
   const ClothTopology topology = ComputeWeldedTopology(fit.cloth);
   fit.report.euler_characteristic = topology.euler_characteristic();
   fit.report.expected_euler_characteristic = kTShirtEulerCharacteristic;
+  fit.report.penetration.triangle_sample_count = topology.edge_count + topology.triangle_count;
   fit.report.boundary_loop_count = topology.boundary_loop_count;
   fit.report.particle_count = static_cast<int>(fit.cloth.rest_positions.size());
   fit.report.triangle_count = static_cast<int>(fit.cloth.triangles.size());
   fit.report.mean_edge_length = MeanEdgeLength(fit.cloth);
-  if (pattern.asymmetric_by_design) fit.report.notes.push_back("the garment is asymmetric by design; left and right are kept");
+  if (pattern.asymmetric_by_design)
+    fit.report.notes.push_back("the garment is asymmetric by design; left and right are kept");
   stopwatch.Lap("panels");
 
   report_progress("preparing the body", 0.02);

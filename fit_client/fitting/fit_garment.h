@@ -23,10 +23,10 @@ struct Fit {
   FitReport report;  // All but times, memory and files, which are the command's.
 };
 
-// Dresses `body` in `garment` with the `standard` profile: reconciles the photographs into one pattern, cuts the panels,
-// repairs the body into a collider, dresses, and measures what came out.
-// UNIMPLEMENTED (KIND_NOT_SUPPORTED) for anything but a T-shirt or a long sleeve; else fails like ReconcileViews(),
-// MeshPattern(), RepairBody() and DressTop(). A garment that does not fit is no failure: the report says how it ended.
+// Dresses `body` in `garment` with the `standard` profile: reconciles the photographs into one pattern, cuts the
+// panels, repairs the body into a collider, dresses, and measures what came out. UNIMPLEMENTED (KIND_NOT_SUPPORTED) for
+// anything but a T-shirt or a long sleeve; else fails like ReconcileViews(), MeshPattern(), RepairBody() and
+// DressTop(). A garment that does not fit is no failure: the report says how it ended.
 Result<Fit> FitGarment(const BodyInput& body, const GarmentInput& garment, const FitOptions& options,
                        Executor& executor, Stopwatch& stopwatch, const ProgressSink& progress);
 

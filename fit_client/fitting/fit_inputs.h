@@ -25,12 +25,12 @@ struct GarmentInput {
   Image back_texture;  // Empty (width 0) where the garment has no back photograph.
 };
 
-// Reads a scan file and finds frame, landmarks and limbs in it. Fails like ReadScanFile() and AnalyseScan(); the message
-// names the file.
+// Reads a scan file and finds frame, landmarks and limbs in it. Fails like ReadScanFile() and AnalyseScan(); the
+// message names the file.
 Result<BodyInput> LoadScan(const std::filesystem::path& file);
 
-// Reads a garment's folder, as `shop_catalog extract` and `fit_client pull` write it. Fails like ReadGarmentFolder() and
-// ReadGarmentTexture().
+// Reads a garment's folder, as `shop_catalog extract` and `fit_client pull` write it. Fails like ReadGarmentFolder()
+// and ReadGarmentTexture().
 Result<GarmentInput> LoadGarment(const std::filesystem::path& folder);
 
 }  // namespace fitroom

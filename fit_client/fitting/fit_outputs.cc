@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "common/base/file.h"
-#include "fit_client/render/glb.h"
+#include "common/scan_file/obj_writer.h"
+#include "fit_client/render/glb_writer.h"
 #include "fit_client/render/pictures.h"
 #include "fit_client/render/scene.h"
 
@@ -17,8 +18,8 @@ Status MakeFolder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (!error) return Status();
-  return FailedPrecondition("FOLDER_NOT_WRITABLE", folder.string() + ": " + error.message() +
-                                                       "; name another folder with --out");
+  return FailedPrecondition("FOLDER_NOT_WRITABLE",
+                            folder.string() + ": " + error.message() + "; name another folder with --out");
 }
 
 Status WriteListed(const std::filesystem::path& folder, const std::string& name, const std::string& description,
@@ -26,6 +27,18 @@ Status WriteListed(const std::filesystem::path& folder, const std::string& name,
   FR_RETURN_IF_ERROR(WriteFileAtomically(folder / name, bytes));
   report.files.push_back({name, description, static_cast<int64_t>(bytes.size())});
   return Status();
+}
+
+// The garment as worn and at rest, the body, and the pairs of sewn vertices (0-based), for other programs to measure.
+Status WriteMeshes(const std::filesystem::path& folder, const BodyInput& body, Fit& fit) {
+  FR_RETURN_IF_ERROR(WriteListed(folder, "garment.obj", "garment as worn, metres, y up",
+                                 FormatObj(TriangleMesh{fit.stages.final, fit.cloth.triangles}), fit.report));
+  FR_RETURN_IF_ERROR(WriteListed(folder, "garment_rest.obj", "panels at rest, same vertices",
+                                 FormatObj(TriangleMesh{fit.cloth.rest_positions, fit.cloth.triangles}), fit.report));
+  FR_RETURN_IF_ERROR(WriteListed(folder, "body.obj", "body in the same frame", FormatObj(body.body.mesh), fit.report));
+  std::string pairs;
+  for (const SeamPair& pair : fit.cloth.seams) pairs += std::to_string(pair.a) + " " + std::to_string(pair.b) + "\n";
+  return WriteListed(folder, "seams.txt", "sewn pairs of vertices", pairs, fit.report);
 }
 
 }  // namespace
@@ -56,10 +69,16 @@ Status WriteFitOutputs(const std::filesystem::path& folder, const BodyInput& bod
   }
   if (options.glb) {
     if (progress) progress("writing the model", 0.95);
-    const render::GlbRequest request{&display, &fit.cloth, fit.stages.final, &garment.front_texture, back_texture};
-    FR_ASSIGN_OR_RETURN(const std::string glb, render::WriteGlb(request));
+    render::Scene scene;
+    scene.body = &display;
+    scene.garments.push_back({&fit.cloth, fit.stages.final, &garment.front_texture, back_texture, /*opacity=*/1.0F});
+    FR_ASSIGN_OR_RETURN(const std::string glb, render::WriteGlb(scene, garment.garment.title));
     FR_RETURN_IF_ERROR(WriteListed(folder, "fitted.glb", "3D model", glb, fit.report));
     stopwatch.Lap("model");
+  }
+  if (options.meshes) {
+    FR_RETURN_IF_ERROR(WriteMeshes(folder, body, fit));
+    stopwatch.Lap("meshes");
   }
   fit.report.files.push_back({"report.json", "this report for programs", 0});
   fit.report.files.push_back({"report.txt", "this report for people", 0});

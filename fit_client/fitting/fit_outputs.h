@@ -13,6 +13,7 @@ namespace fitroom {
 struct FitOutputOptions {
   bool pictures = true;  // PNGs of the views and the stages.
   bool glb = true;       // A 3D model for any viewer.
+  bool meshes = false;   // Garment, rest panels, body and seams as OBJ and text, to be measured by other programs.
   int thread_count = 1;
 };
 
