@@ -22,12 +22,18 @@ constexpr int kPictureHeight = 1200;  // (unit: pixel)
 // Stages are drawn at half the size: the last stage's are then the final pictures, halved.
 constexpr int kStageWidth = kPictureWidth / 2;
 constexpr int kStageHeight = kPictureHeight / 2;
+// Close-ups show the garment and this much round it (unit: metre).
+constexpr double kCloseMargin = 0.06;
+constexpr int kCloseWidth = 800;   // (unit: pixel)
+constexpr int kCloseHeight = 900;  // (unit: pixel)
 constexpr float kMergingOpacity = 0.72F;
 
 constexpr std::array<ViewDirection, 4> kFinalViews = {ViewDirection::kFront, ViewDirection::kSide, ViewDirection::kBack,
                                                       ViewDirection::kThreeQuarter};
 constexpr std::array<ViewDirection, 3> kStageViews = {ViewDirection::kFront, ViewDirection::kSide,
                                                       ViewDirection::kBack};
+
+constexpr std::array<ViewDirection, 2> kCloseViews = {ViewDirection::kFront, ViewDirection::kBack};
 
 std::string ViewDescription(ViewDirection view) {
   switch (view) {
@@ -94,6 +100,14 @@ Eigen::AlignedBox3d ComputeSubject(const FitPictureRequest& request) {
   for (const StageShape& stage : request.stages) {
     for (const Eigen::Vector3d& position : stage.positions) subject.extend(position);
   }
+  return subject;
+}
+
+Eigen::AlignedBox3d ComputeGarmentSubject(const StageShape& stage) {
+  Eigen::AlignedBox3d subject;
+  for (const Eigen::Vector3d& position : stage.positions) subject.extend(position);
+  subject.min().array() -= kCloseMargin;
+  subject.max().array() += kCloseMargin;
   return subject;
 }
 
@@ -197,7 +211,11 @@ Image ComposeSheet(const std::vector<std::vector<Image>>& rows, const std::vecto
 Result<std::vector<NamedPicture>> DrawFitPictures(const FitPictureRequest& request) {
   FR_RETURN_IF_ERROR(CheckRequest(request));
   const Eigen::AlignedBox3d subject = ComputeSubject(request);
-  const std::vector<Camera> final_cameras = MakeCameras(kFinalViews, subject, kPictureWidth, kPictureHeight);
+  std::vector<Camera> final_cameras = MakeCameras(kFinalViews, subject, kPictureWidth, kPictureHeight);
+  const Eigen::AlignedBox3d garment = ComputeGarmentSubject(request.stages.back());
+  for (const Camera& camera : MakeCameras(kCloseViews, garment, kCloseWidth, kCloseHeight)) {
+    final_cameras.push_back(camera);
+  }
   const std::vector<Camera> stage_cameras = MakeCameras(kStageViews, subject, kStageWidth, kStageHeight);
   std::vector<Scene> stage_scenes;
   for (const StageShape& stage : request.stages) stage_scenes.push_back(MakeScene(request, stage));
@@ -224,6 +242,11 @@ Result<std::vector<NamedPicture>> DrawFitPictures(const FitPictureRequest& reque
   for (size_t v = 0; v < kFinalViews.size(); ++v) {
     pictures.push_back({std::string(ViewName(kFinalViews[v])) + ".png", ViewDescription(kFinalViews[v]),
                         std::move(finals.pngs.front()[v])});
+  }
+  for (size_t v = 0; v < kCloseViews.size(); ++v) {
+    pictures.push_back({std::string(ViewName(kCloseViews[v])) + "_close.png",
+                        ViewDescription(kCloseViews[v]) + ", close",
+                        std::move(finals.pngs.front()[kFinalViews.size() + v])});
   }
   std::vector<std::vector<Image>> rows(kStageViews.size());
   std::vector<std::string> column_labels;

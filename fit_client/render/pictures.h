@@ -34,7 +34,8 @@ struct NamedPicture {
   std::string png;  // The file's bytes.
 };
 
-// Draws everything a fit shows: front.png, side.png, back.png and three_quarter.png (800 x 1200) of the last stage,
+// Draws everything a fit shows: front.png, side.png, back.png and three_quarter.png (800 x 1200) of the last stage, of
+// its garment front_close.png and back_close.png (800 x 900),
 // stage_<name>_<view>.png (400 x 600) of each stage from front, side and back, and stages.png, a labelled sheet of
 // these. Fails like Renderer::Draw().
 Result<std::vector<NamedPicture>> DrawFitPictures(const FitPictureRequest& request);

@@ -131,13 +131,17 @@ void main() {
   vec3 albedo = gl_FrontFacing ? outside : inside_colour;
   if (!gl_FrontFacing) n = -n;
   albedo *= albedo;
-  float sky = gl_FrontFacing ? skies.x : skies.y;
-  float shade = mix(0.30, 1.0, sky);
-  float light = 0.42 * Sky(n) * mix(0.35, 1.0, sky) + 0.60 * Wrapped(n, kKey, 0.25) * shade +
-                0.24 * Wrapped(n, kFill, 0.35) * shade + 0.05;
-  float rim = 0.10 * max(0.0, dot(n, kRim)) * shade;
-  vec3 lit = albedo * Soften(light) + rim * (0.25 + 0.75 * albedo);
-  if (!gl_FrontFacing) lit *= 0.55;
+  vec3 lit;
+  if (gl_FrontFacing) {
+    float shade = mix(0.30, 1.0, skies.x);
+    float light = 0.42 * Sky(n) * mix(0.35, 1.0, skies.x) + 0.60 * Wrapped(n, kKey, 0.25) * shade +
+                  0.24 * Wrapped(n, kFill, 0.35) * shade + 0.05;
+    float rim = 0.10 * max(0.0, dot(n, kRim)) * shade;
+    lit = albedo * Soften(light) + rim * (0.25 + 0.75 * albedo);
+  } else {
+    // The inside is lit by what comes through the cloth and back from skin and cloth, from everywhere.
+    lit = albedo * (0.40 + 0.25 * max(0.0, n.z)) * mix(0.7, 1.0, skies.y);
+  }
   colour = vec4(sqrt(lit), opacity);
 }
 )";

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <string>
+#include <set>
 #include <utility>
 
 namespace fitroom {
@@ -18,6 +18,7 @@ using Point = Eigen::Vector2d;
 // Where the plane cuts the cloth: points on edges of the mesh and the segments between them, one a triangle.
 struct Section {
   std::vector<Point> points;
+  std::vector<bool> may_be_bridged;  // One a point: the cloth goes on here as a sleeve, or across an open seam.
   std::vector<std::pair<int, int>> segments;
 };
 
@@ -25,23 +26,18 @@ struct Section {
 struct Chain {
   std::vector<Point> points;
   bool closed = false;
+  bool ends_may_be_bridged = false;
 };
 
-// The rest-frame x between which the cloth is torso: between the underarms, if they are named.
-struct TorsoRange {
-  double min_x = -std::numeric_limits<double>::infinity();
-  double max_x = std::numeric_limits<double>::infinity();
-};
-
-TorsoRange FindTorso(const ClothMesh& cloth, int panel) {
-  TorsoRange range;
-  const std::string prefix = panel == 0 ? "front/" : "back/";
-  for (const NamedParticle& named : cloth.named_particles) {
-    const double x = cloth.rest_positions[static_cast<size_t>(named.particle)].x();
-    if (named.name == prefix + "underarm_L") range.max_x = x;
-    if (named.name == prefix + "underarm_R") range.min_x = x;
+// Says whether a triangle belongs to a sleeve by the mean of its corners' weights. Nobody knows: it does not.
+bool IsSleeve(const ClothMesh& cloth, const Eigen::Vector3i& triangle) {
+  for (const std::vector<double>* weights : {&cloth.left_sleeve_weights, &cloth.right_sleeve_weights}) {
+    if (weights->size() != cloth.rest_positions.size()) continue;
+    double sum = 0.0;
+    for (const int corner : triangle) sum += (*weights)[static_cast<size_t>(corner)];
+    if (sum > 1.5) return true;
   }
-  return range;
+  return false;
 }
 
 // Particles that are sewn onto each other are one point of the section.
@@ -63,45 +59,77 @@ std::vector<int> SewParticles(const ClothMesh& cloth, const std::vector<Eigen::V
   return sewn;
 }
 
-// Cuts the torso's triangles. A particle exactly on the plane counts as above it, so that every cut triangle gives one
+using Edge = std::pair<int, int>;  // Of sewn particles, the lower first.
+
+// Cuts triangles at a height. A particle exactly on the plane counts as above it, so that every cut triangle gives one
 // segment and no point is met twice.
-Section CutTorso(const ClothMesh& cloth, const std::vector<Eigen::Vector3d>& positions, double height) {
-  const std::vector<int> sewn = SewParticles(cloth, positions);
-  const TorsoRange torso[2] = {FindTorso(cloth, 0), FindTorso(cloth, 1)};
-  Section section;
-  std::map<std::pair<int, int>, int> point_of_edge;
-  const auto point_on = [&](int a, int b) {
-    a = sewn[static_cast<size_t>(a)];
-    b = sewn[static_cast<size_t>(b)];
-    const std::pair<int, int> edge = std::minmax(a, b);
-    const auto [known, is_new] = point_of_edge.try_emplace(edge, static_cast<int>(section.points.size()));
+class Cutter {
+ public:
+  Cutter(const ClothMesh& cloth, const std::vector<Eigen::Vector3d>& positions, double height)
+      : cloth_(cloth), positions_(positions), height_(height), sewn_(SewParticles(cloth, positions)) {}
+
+  Section CutTorso() {
+    std::set<Edge> sleeve_edges;
+    for (const Eigen::Vector3i& triangle : cloth_.triangles) {
+      const std::vector<Edge> edges = CutEdges(triangle);
+      if (edges.size() != 2) continue;
+      if (IsSleeve(cloth_, triangle)) {
+        sleeve_edges.insert(edges.begin(), edges.end());
+        continue;
+      }
+      const int from = PointOn(edges[0]);
+      const int to = PointOn(edges[1]);
+      if (from != to) section_.segments.emplace_back(from, to);
+    }
+    std::vector<bool> is_on_seam(positions_.size(), false);
+    for (const SeamPair& pair : cloth_.seams) {
+      is_on_seam[Sewn(pair.a)] = true;
+      is_on_seam[Sewn(pair.b)] = true;
+    }
+    section_.may_be_bridged.resize(section_.points.size());
+    for (const auto& [edge, point] : point_of_edge_) {
+      section_.may_be_bridged[static_cast<size_t>(point)] =
+          sleeve_edges.contains(edge) ||
+          (is_on_seam[static_cast<size_t>(edge.first)] && is_on_seam[static_cast<size_t>(edge.second)]);
+    }
+    return std::move(section_);
+  }
+
+ private:
+  size_t Sewn(int particle) const { return static_cast<size_t>(sewn_[static_cast<size_t>(particle)]); }
+  bool IsAbove(int particle) const { return positions_[Sewn(particle)].y() >= height_; }
+
+  // Returns the two edges of a triangle that the plane cuts, or none.
+  std::vector<Edge> CutEdges(const Eigen::Vector3i& triangle) const {
+    std::vector<Edge> edges;
+    for (int k = 0; k < 3; ++k) {
+      const int a = triangle[k];
+      const int b = triangle[(k + 1) % 3];
+      if (IsAbove(a) != IsAbove(b)) {
+        edges.push_back(std::minmax(sewn_[static_cast<size_t>(a)], sewn_[static_cast<size_t>(b)]));
+      }
+    }
+    return edges;
+  }
+
+  int PointOn(const Edge& edge) {
+    const auto [known, is_new] = point_of_edge_.try_emplace(edge, static_cast<int>(section_.points.size()));
     if (is_new) {
-      const Eigen::Vector3d& p = positions[static_cast<size_t>(edge.first)];
-      const Eigen::Vector3d& q = positions[static_cast<size_t>(edge.second)];
-      const double span = q.y() - p.y();
-      const double t = span != 0.0 ? std::clamp((height - p.y()) / span, 0.0, 1.0) : 0.5;
-      section.points.emplace_back(p.x() + t * (q.x() - p.x()), p.z() + t * (q.z() - p.z()));
+      const Eigen::Vector3d& p = positions_[static_cast<size_t>(edge.first)];
+      const Eigen::Vector3d& q = positions_[static_cast<size_t>(edge.second)];
+      const double t = std::clamp((height_ - p.y()) / (q.y() - p.y()), 0.0, 1.0);
+      section_.points.emplace_back(p.x() + t * (q.x() - p.x()), p.z() + t * (q.z() - p.z()));
     }
     return known->second;
-  };
-  for (const Eigen::Vector3i& t : cloth.triangles) {
-    double rest_x = 0.0;
-    for (const int corner : t) rest_x += cloth.rest_positions[static_cast<size_t>(corner)].x() / 3.0;
-    const TorsoRange& range = torso[cloth.panel_of_particle[static_cast<size_t>(t[0])] == 0 ? 0 : 1];
-    if (rest_x < range.min_x || rest_x > range.max_x) continue;
-    int ends[2] = {-1, -1};
-    int count = 0;
-    for (int k = 0; k < 3; ++k) {
-      const int a = t[k];
-      const int b = t[(k + 1) % 3];
-      const bool a_above = positions[static_cast<size_t>(sewn[static_cast<size_t>(a)])].y() >= height;
-      const bool b_above = positions[static_cast<size_t>(sewn[static_cast<size_t>(b)])].y() >= height;
-      if (a_above != b_above && count < 2) ends[count++] = point_on(a, b);
-    }
-    if (count == 2 && ends[0] != ends[1]) section.segments.emplace_back(ends[0], ends[1]);
   }
-  return section;
-}
+
+  const ClothMesh& cloth_;
+  const std::vector<Eigen::Vector3d>& positions_;
+  const double height_;
+  const std::vector<int> sewn_;
+  std::map<Edge, int> point_of_edge_;
+  Section section_;
+};
 
 // Joins segments that share a point. Chains begin at open ends first, so that an open chain is never cut in two.
 std::vector<Chain> LinkChains(const Section& section) {
@@ -133,6 +161,8 @@ std::vector<Chain> LinkChains(const Section& section) {
       }
       chain.points.push_back(section.points[static_cast<size_t>(point)]);
     }
+    chain.ends_may_be_bridged =
+        section.may_be_bridged[static_cast<size_t>(start)] && section.may_be_bridged[static_cast<size_t>(point)];
     if (chain.points.size() > 1) chains.push_back(std::move(chain));
   };
   for (size_t p = 0; p < section.points.size(); ++p) {
@@ -217,7 +247,7 @@ GarmentGirth MeasureDrapedGirth(const ClothMesh& cloth, const std::vector<Eigen:
                                 const Eigen::Vector2d& axis) {
   GarmentGirth result;
   if (positions.size() != cloth.rest_positions.size()) return result;
-  std::vector<Chain> chains = LinkChains(CutTorso(cloth, positions, height));
+  std::vector<Chain> chains = LinkChains(Cutter(cloth, positions, height).CutTorso());
   // A whole curve round the axis; of several (folds of a hem) the longest.
   for (const Chain& chain : chains) {
     if (!chain.closed || std::abs(TurnsRound(chain.points, true, axis)) < 0.5) continue;
@@ -229,6 +259,10 @@ GarmentGirth MeasureDrapedGirth(const ClothMesh& cloth, const std::vector<Eigen:
   // Otherwise the open pieces between the armholes. Closed curves beside the axis are folds.
   std::erase_if(chains, [](const Chain& chain) { return chain.closed; });
   if (chains.empty()) return result;
+  // An end at a hem or a neckline: the garment does not go round here.
+  for (const Chain& chain : chains) {
+    if (!chain.ends_may_be_bridged) return result;
+  }
   double bridged_length = 0.0;
   const std::vector<Point> curve = JoinChains(std::move(chains), bridged_length);
   if (std::abs(TurnsRound(curve, true, axis)) < 0.5) return result;

@@ -18,8 +18,9 @@ struct GarmentGirth {
 };
 
 // Measures the draped garment at `height` (canonical frame, unit: metre) round `axis` (x and z of a point inside the
-// torso at that height). Sleeves are left out: of garments that name their underarm points only the cloth that lies
-// between them at rest is cut, and where the plane passes through the armholes the curve is closed by straight lines.
+// torso at that height). Cloth whose sleeve weight is above a half is left out; where the plane passes through the
+// armholes or open seams the curve is closed by straight lines. Where it meets a hem or neckline the garment does not
+// go round, and nothing is found.
 GarmentGirth MeasureDrapedGirth(const ClothMesh& cloth, const std::vector<Eigen::Vector3d>& positions, double height,
                                 const Eigen::Vector2d& axis);
 

@@ -105,16 +105,24 @@ TEST(GarmentGirth, AnOpenSeamIsBridgedAndSaidSo) {
 TEST(GarmentGirth, SleevesAreLeftOut) {
   // The tube is torso between rest x -0.25 and 0.25 only: half of each panel's columns, the rest is "sleeve".
   Draped tube = MakeTube([](double, double) { return 0.15; });
-  const int column = kColumns / 4;
-  tube.cloth.named_particles = {{"front/underarm_R", column},
-                                {"front/underarm_L", kColumns - column},
-                                {"back/underarm_R", (kColumns + 1) * (kRows + 1) + kColumns - column},
-                                {"back/underarm_L", (kColumns + 1) * (kRows + 1) + column}};
+  for (const Eigen::Vector3d& rest : tube.cloth.rest_positions) {
+    tube.cloth.left_sleeve_weights.push_back(rest.x() > 0.25 ? 1.0 : 0.0);
+    tube.cloth.right_sleeve_weights.push_back(rest.x() < -0.25 ? 1.0 : 0.0);
+  }
   const GarmentGirth girth = MeasureDrapedGirth(tube.cloth, tube.positions, 1.5, {0.0, 0.0});
   ASSERT_TRUE(girth.found);
-  // Two quarter circles, and two straight lines across the other quarters.
-  EXPECT_NEAR(girth.girth, 0.5 * PolygonPerimeter(0.15) + 2.0 * std::sqrt(2.0) * 0.15, 2e-3);
-  EXPECT_NEAR(girth.bridged_length, 2.0 * std::sqrt(2.0) * 0.15, 2e-3);
+  // Two quarter circles, and two straight lines across the other quarters, up to half a column at each of the four
+  // ends.
+  EXPECT_NEAR(girth.girth, 0.5 * PolygonPerimeter(0.15) + 2.0 * std::sqrt(2.0) * 0.15, 6e-3);
+  EXPECT_NEAR(girth.bridged_length, 2.0 * std::sqrt(2.0) * 0.15, 6e-3);
+}
+
+TEST(GarmentGirth, AHemThatThePlaneLeavesIsNotBridged) {
+  // The lower edge rises to the back: at 1.05 the plane meets the front only.
+  Draped tube = MakeTube([](double, double) { return 0.15; });
+  for (Eigen::Vector3d& position : tube.positions) position.y() += 0.4 * (0.15 - position.z());
+  EXPECT_FALSE(MeasureDrapedGirth(tube.cloth, tube.positions, 1.05, {0.0, 0.0}).found);
+  EXPECT_TRUE(MeasureDrapedGirth(tube.cloth, tube.positions, 1.5, {0.0, 0.0}).found);
 }
 
 TEST(GarmentGirth, IsNotFoundWhereThereIsNoClothOrItDoesNotGoRound) {

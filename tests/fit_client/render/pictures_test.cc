@@ -44,10 +44,10 @@ TEST_F(PicturesTest, FourViewsEveryStageAndASheetTheSameForOneThreadAndTwo) {
     EXPECT_EQ((*one)[i].file_name, (*two)[i].file_name);
     EXPECT_TRUE((*one)[i].png == (*two)[i].png) << (*one)[i].file_name;
   }
-  EXPECT_EQ(names,
-            (std::set<std::string>{"front.png", "side.png", "back.png", "three_quarter.png", "stage_merging_front.png",
-                                   "stage_merging_side.png", "stage_merging_back.png", "stage_final_front.png",
-                                   "stage_final_side.png", "stage_final_back.png", "stages.png"}));
+  EXPECT_EQ(names, (std::set<std::string>{"front.png", "side.png", "back.png", "three_quarter.png", "front_close.png",
+                                          "back_close.png", "stage_merging_front.png", "stage_merging_side.png",
+                                          "stage_merging_back.png", "stage_final_front.png", "stage_final_side.png",
+                                          "stage_final_back.png", "stages.png"}));
 }
 
 TEST_F(PicturesTest, MergingShowsStitchLinesAcrossTheBodyAndFinalShowsNone) {
