@@ -13,13 +13,18 @@
 namespace fitroom::shop_catalog {
 namespace {
 
-constexpr int kRayCount = 61;     // Over the half circle: 3 degrees apart.
-constexpr int kRadiusCount = 72;  // Places along a ray.
+constexpr int kRayCount = 61;  // Over the half circle: 3 degrees apart.
 // Radii are parts of half the distance between the neck ends.
 constexpr double kMaxRadius = 2.1;    // Deep V-necks reach about 2.
-constexpr double kLeastBelow = 0.2;   // An edge nearer to the silhouette than this is the collar's seam.
-constexpr double kUsualDepth = 0.85;  // Of a crew neck.
-constexpr double kUsualDepthSpread = 0.35;
+constexpr double kLeastBelow = 0.25;  // An edge nearer to the silhouette than this is the collar's seam.
+constexpr double kLeastDepth = 0.5;   // Boat necks are shallower; they are taken from the silhouette.
+constexpr double kUsualDepth = 0.95;  // Of crew necks, seen on the external test photographs: 0.8 to 1.3.
+constexpr double kUsualDepthSpread = 0.22;
+constexpr double kUsualFullness = 1.75;
+constexpr double kUsualFullnessSpread = 0.35;
+constexpr double kPriorWeight = 0.6;              // Of one spread squared (unit: Lab).
+constexpr double kLeastStrength = 1.5;            // Mean change of colour across a collar's edge (unit: Lab).
+constexpr double kLeastCoverage = 0.6;            // Part of the arc along which it must show.
 constexpr double kEstimatedDepthOfHeight = 0.10;  // Neck ends to front neckline, part of the garment's height.
 
 // The frame of the neck: origin between the neck ends, one unit is half the distance between them.
@@ -33,15 +38,12 @@ struct NeckFrame {
         right(0.5 * (corners.pixel[kNeckRight] - corners.pixel[kNeckLeft])),
         down(-right.y(), right.x()) {}
 
-  Eigen::Vector2d PixelAt(double angle, double radius) const {
-    return origin + radius * (std::cos(angle) * right + std::sin(angle) * down);
-  }
+  Eigen::Vector2d Pixel(const Eigen::Vector2d& place) const { return origin + place.x() * right + place.y() * down; }
   double Unit() const { return right.norm(); }
 };
 
 // Ray k points from the image's left (k = 0) over down to the right.
 double AngleOf(int k) { return std::numbers::pi * (1.0 - static_cast<double>(k) / (kRayCount - 1)); }
-double RadiusOf(int r) { return 0.15 + (kMaxRadius - 0.15) * r / (kRadiusCount - 1); }
 
 cv::Vec3f ColourAt(const cv::Mat& lab, const Eigen::Vector2d& pixel) {
   const int x = std::clamp(static_cast<int>(pixel.x()), 0, lab.cols - 1);
@@ -49,85 +51,152 @@ cv::Vec3f ColourAt(const cv::Mat& lab, const Eigen::Vector2d& pixel) {
   return lab.at<cv::Vec3f>(y, x);
 }
 
-// How strongly the colour changes outwards across each place of each ray, for one kind of edge; negative is none.
-using EdgeTable = std::vector<std::array<double, kRadiusCount>>;
+// Which change of colour makes the edge, going outwards from the visible inside of the back neck onto the front.
+// A rolled edge often shows as nothing but a thin light line.
+enum class EdgeKind { kLighterBelow, kDarkerBelow, kAnyColour, kLightLine };
 
-enum class EdgeKind { kLighterBelow, kDarkerBelow, kAnyColour };
-
-EdgeTable MeasureEdges(const cv::Mat& lab, const NeckFrame& frame, EdgeKind kind, double offset) {
-  EdgeTable table(kRayCount);
-  for (int k = 0; k < kRayCount; ++k) {
-    for (int r = 0; r < kRadiusCount; ++r) {
-      const cv::Vec3f outer = ColourAt(lab, frame.PixelAt(AngleOf(k), RadiusOf(r) + offset));
-      const cv::Vec3f inner = ColourAt(lab, frame.PixelAt(AngleOf(k), RadiusOf(r) - offset));
-      const cv::Vec3f change = outer - inner;
-      double strength = static_cast<double>(change[0]);
-      if (kind == EdgeKind::kDarkerBelow) strength = -strength;
-      if (kind == EdgeKind::kAnyColour) strength = std::sqrt(static_cast<double>(change.dot(change))) - 4.0;
-      table[static_cast<size_t>(k)][static_cast<size_t>(r)] = std::clamp(strength, -5.0, 25.0);
-    }
-  }
-  return table;
+// How strongly colours change across a place, along a direction that points outwards (unit: Lab).
+double EdgeStrength(const cv::Mat& lab, const NeckFrame& frame, EdgeKind kind, const Eigen::Vector2d& place,
+                    const Eigen::Vector2d& outward) {
+  constexpr double kOffset = 0.055;  // To both sides (unit: half neck width).
+  const cv::Vec3f change =
+      ColourAt(lab, frame.Pixel(place + kOffset * outward)) - ColourAt(lab, frame.Pixel(place - kOffset * outward));
+  double strength = static_cast<double>(change[0]);
+  if (kind == EdgeKind::kDarkerBelow) strength = -strength;
+  if (kind == EdgeKind::kAnyColour) strength = std::sqrt(static_cast<double>(change.dot(change))) - 4.0;
+  return std::clamp(strength, -4.0, 9.0);
 }
 
-struct Path {
-  std::array<double, kRayCount> radius{};
-  double score = -1e9;     // Mean strength with priors.
-  double strength = -1e9;  // Mean strength alone (unit: Lab).
-  double coverage = 0.0;   // Part of the rays on which the edge is visible.
+// A smooth neckline between the neck ends (-1, 0) and (1, 0): a half superellipse, from nearly a V (fullness 1.2) over
+// an ellipse (2) to a round U (2.8), whose lowest point may lie off the middle.
+struct Arc {
+  double depth = kUsualDepth;
+  double fullness = 2.0;
+  double skew = 0.0;
+
+  Eigen::Vector2d At(double angle) const {
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    const double down = std::pow(s, 2.0 / fullness);
+    return {std::copysign(std::pow(std::abs(c), 2.0 / fullness), c) + skew * down, depth * down};
+  }
 };
 
-// Finds the best smooth path over all rays: dynamic programming with at most two steps of radius between rays.
-Path FindPath(const EdgeTable& table, const std::array<double, kRayCount>& least_radius) {
-  std::vector<std::array<double, kRadiusCount>> score(kRayCount);
-  std::vector<std::array<int, kRadiusCount>> from(kRayCount);
-  for (int k = 0; k < kRayCount; ++k) {
-    const auto ray = static_cast<size_t>(k);
-    const double sine = std::sin(AngleOf(k));
-    for (int r = 0; r < kRadiusCount; ++r) {
-      const auto place = static_cast<size_t>(r);
-      const double radius = RadiusOf(r);
-      // At the neck ends the curve is at radius 1; in the middle at the usual depth, give or take.
-      const double expected = 1.0 + (kUsualDepth - 1.0) * sine;
-      const double spread = 0.08 + (kUsualDepthSpread - 0.08) * sine;
-      const double off = (radius - expected) / spread;
-      double own = table[ray][place] * sine - 1.2 * off * off;
-      if (radius < least_radius[ray]) own -= 50.0;
-      from[ray][place] = r;
-      if (k == 0) {
-        score[ray][place] = own;
-        continue;
-      }
-      double best = -1e18;
-      for (int step = -3; step <= 3; ++step) {
-        if (r + step < 0 || r + step >= kRadiusCount) continue;
-        const double value = score[ray - 1][static_cast<size_t>(r + step)] - 0.5 * step * step;
-        if (value > best) {
-          best = value;
-          from[ray][place] = r + step;
+struct ArcFit {
+  Arc arc;
+  EdgeKind kind = EdgeKind::kLighterBelow;
+  double score = -1e9;     // Mean strength with the prior on depth.
+  double strength = -1e9;  // Mean strength alone (unit: Lab).
+  double coverage = 0.0;   // Part of the arc along which the edge is visible.
+};
+
+ArcFit RateArc(const cv::Mat& lab, const NeckFrame& frame, const Arc& arc, EdgeKind kind,
+               const std::array<double, kRayCount>& least_radius) {
+  ArcFit fit;
+  fit.arc = arc;
+  fit.kind = kind;
+  fit.strength = 0.0;
+  int count = 0;
+  for (int k = 4; k < kRayCount - 4; ++k) {
+    const Eigen::Vector2d place = arc.At(AngleOf(k));
+    const Eigen::Vector2d along = arc.At(AngleOf(k + 1)) - arc.At(AngleOf(k - 1));
+    const double ray = (1.0 - std::atan2(place.y(), place.x()) / std::numbers::pi) * (kRayCount - 1);
+    const auto nearest = static_cast<size_t>(std::clamp(std::lround(ray), 0L, static_cast<long>(kRayCount - 1)));
+    ++count;
+    if (place.norm() < least_radius[nearest]) {
+      fit.strength -= 14.0;  // Above the silhouette, or on its collar: as bad as the best edge is good.
+      continue;
+    }
+    // The curve goes left to right, so outwards (down) is on its right hand.
+    const Eigen::Vector2d outward = Eigen::Vector2d(-along.y(), along.x()).normalized();
+    const double strength = EdgeStrength(lab, frame, kind, place, outward);
+    fit.strength += strength;
+    fit.coverage += strength > 1.0 ? 1.0 : 0.0;
+  }
+  fit.strength /= count;
+  fit.coverage /= count;
+  const double off_depth = (arc.depth - kUsualDepth) / kUsualDepthSpread;
+  const double off_fullness = (arc.fullness - kUsualFullness) / kUsualFullnessSpread;
+  fit.score = fit.strength * (0.3 + 0.7 * fit.coverage) -
+              kPriorWeight * (off_depth * off_depth + off_fullness * off_fullness) - 4.0 * std::abs(arc.skew);
+  return fit;
+}
+
+// A collar has two edges: the seam that joins it to the front runs outside its upper edge at the collar's width.
+// Returns how clearly such a second line shows (unit: Lab). The back collar's seam and folds have no such companion.
+double CompanionStrength(const cv::Mat& lab, const NeckFrame& frame, const Arc& arc) {
+  double best = 0.0;
+  for (const double width : {0.12, 0.15, 0.18, 0.21, 0.24}) {
+    double sum = 0.0;
+    int count = 0;
+    for (int k = 6; k < kRayCount - 6; ++k) {
+      const Eigen::Vector2d along = arc.At(AngleOf(k + 1)) - arc.At(AngleOf(k - 1));
+      const Eigen::Vector2d outward = Eigen::Vector2d(-along.y(), along.x()).normalized();
+      sum += EdgeStrength(lab, frame, EdgeKind::kLighterBelow, arc.At(AngleOf(k)) + width * outward, outward);
+      ++count;
+    }
+    best = std::max(best, std::abs(sum) / count);
+  }
+  return best;
+}
+
+// Tries all arcs and kinds of edge. Only arcs that are good by themselves are asked for their companion.
+ArcFit FindArc(const cv::Mat& lab, const NeckFrame& frame, const std::array<double, kRayCount>& least_radius) {
+  ArcFit best;
+  for (const EdgeKind kind :
+       {EdgeKind::kLighterBelow, EdgeKind::kDarkerBelow, EdgeKind::kAnyColour, EdgeKind::kLightLine}) {
+    for (double depth = kLeastDepth; depth < kMaxRadius; depth += 0.04) {
+      for (const double fullness : {1.2, 1.35, 1.5, 1.65, 1.8, 2.1, 2.4, 2.8}) {
+        for (const double skew : {-0.16, -0.08, 0.0, 0.08, 0.16}) {
+          ArcFit fit = RateArc(lab, frame, {depth, fullness, skew}, kind, least_radius);
+          if (fit.score < best.score - 4.0 || fit.strength < 1.0) continue;
+          fit.score += 0.6 * CompanionStrength(lab, frame, fit.arc);
+          if (fit.score > best.score) best = fit;
         }
       }
-      score[ray][place] = best + own;
     }
   }
-  Path path;
-  int r = static_cast<int>(std::max_element(score.back().begin(), score.back().end()) - score.back().begin());
-  path.score = score.back()[static_cast<size_t>(r)] / kRayCount;
-  path.strength = 0.0;
-  double weight = 0.0;
-  for (int k = kRayCount - 1; k >= 0; --k) {
+  return best;
+}
+
+// Follows the edge closely: along each ray the place may leave the arc by a little, smoothly, where the edge is
+// stronger (dynamic programming over the rays). Returns the radius along each ray.
+std::array<double, kRayCount> FollowEdge(const cv::Mat& lab, const NeckFrame& frame, const ArcFit& fit) {
+  constexpr int kSteps = 8;        // To both sides of the arc.
+  constexpr double kStep = 0.015;  // (unit: half neck width)
+  constexpr int kPlaces = 2 * kSteps + 1;
+  std::vector<std::array<double, kPlaces>> score(kRayCount);
+  std::vector<std::array<int, kPlaces>> from(kRayCount);
+  for (int k = 0; k < kRayCount; ++k) {
     const auto ray = static_cast<size_t>(k);
-    const double sine = std::sin(AngleOf(k));
-    const double strength = table[ray][static_cast<size_t>(r)];
-    path.radius[ray] = RadiusOf(r);
-    path.strength += sine * strength;
-    path.coverage += strength > 1.5 ? sine : 0.0;
-    weight += sine;
-    r = from[ray][static_cast<size_t>(r)];
+    const Eigen::Vector2d place = fit.arc.At(AngleOf(k));
+    const Eigen::Vector2d along =
+        fit.arc.At(AngleOf(std::min(k + 1, kRayCount - 1))) - fit.arc.At(AngleOf(std::max(k - 1, 0)));
+    const Eigen::Vector2d outward = Eigen::Vector2d(-along.y(), along.x()).normalized();
+    for (int p = 0; p < kPlaces; ++p) {
+      const auto index = static_cast<size_t>(p);
+      const int off = p - kSteps;
+      score[ray][index] = EdgeStrength(lab, frame, fit.kind, place + off * kStep * outward, outward) - 0.03 * off * off;
+      from[ray][index] = p;
+      if (k == 0) continue;
+      double best = -1e18;
+      for (int last = std::max(0, p - 1); last <= std::min(kPlaces - 1, p + 1); ++last) {
+        const double value = score[ray - 1][static_cast<size_t>(last)] - 1.0 * std::abs(last - p);
+        if (value > best) {
+          best = value;
+          from[ray][index] = last;
+        }
+      }
+      score[ray][index] += best;
+    }
   }
-  path.strength /= weight;
-  path.coverage /= weight;
-  return path;
+  std::array<double, kRayCount> offset{};
+  auto p = static_cast<int>(std::max_element(score.back().begin(), score.back().end()) - score.back().begin());
+  for (int k = kRayCount - 1; k >= 0; --k) {
+    offset[static_cast<size_t>(k)] = (p - kSteps) * kStep;
+    p = from[static_cast<size_t>(k)][static_cast<size_t>(p)];
+  }
+  return offset;
 }
 
 // Distance from the neck's middle to the silhouette along each ray, in units of the frame; 0 where it lies above.
@@ -147,17 +216,18 @@ std::array<double, kRayCount> SilhouetteRadius(const Polygon& curve, const NeckF
   return radius;
 }
 
-Polygon CurveOf(const Path& path, const NeckFrame& frame, const TopCorners& corners) {
+Polygon CurveOf(const Arc& arc, const std::array<double, kRayCount>& offset, const NeckFrame& frame,
+                const TopCorners& corners) {
   Polygon curve;
   curve.push_back(corners.pixel[kNeckLeft]);
   for (int k = 3; k < kRayCount - 3; k += 2) {
     double sum = 0.0;
-    for (int near = k - 2; near <= k + 2; ++near) sum += path.radius[static_cast<size_t>(near)];
-    double radius = sum / 5.0;
-    // Run into the neck ends: the rays there graze the edge and see little of it.
+    for (int near = k - 2; near <= k + 2; ++near) sum += offset[static_cast<size_t>(near)];
+    // Run into the neck ends: the edge grazes the shoulder there and is seen badly.
     const double trust = std::clamp(std::sin(AngleOf(k)) / 0.45, 0.0, 1.0);
-    radius = trust * radius + (1.0 - trust);
-    curve.push_back(frame.PixelAt(AngleOf(k), radius));
+    const Eigen::Vector2d along = arc.At(AngleOf(k + 1)) - arc.At(AngleOf(k - 1));
+    const Eigen::Vector2d outward = Eigen::Vector2d(-along.y(), along.x()).normalized();
+    curve.push_back(frame.Pixel(arc.At(AngleOf(k)) + trust * sum / 5.0 * outward));
   }
   curve.push_back(corners.pixel[kNeckRight]);
   return curve;
@@ -210,20 +280,17 @@ Neckline FindFrontNeckline(const cv::Mat& lab, const Polygon& outline, const Top
   const cv::Rect around = cv::Rect(static_cast<int>(frame.origin.x()) - reach,
                                    static_cast<int>(frame.origin.y()) - reach, 2 * reach, 2 * reach) &
                           cv::Rect(0, 0, lab.cols, lab.rows);
-  cv::GaussianBlur(lab(around), smooth, cv::Size(0, 0), std::max(0.6, 0.02 * frame.Unit()));
+  cv::GaussianBlur(lab(around), smooth, cv::Size(0, 0), std::max(0.6, 0.012 * frame.Unit()));
   NeckFrame local = frame;
   local.origin -= Eigen::Vector2d(around.x, around.y);
 
-  Path best;
-  for (const EdgeKind kind : {EdgeKind::kLighterBelow, EdgeKind::kDarkerBelow, EdgeKind::kAnyColour}) {
-    const Path path = FindPath(MeasureEdges(smooth, local, kind, 0.055), least_radius);
-    if (path.score > best.score) best = path;
-  }
-  if (best.strength > 2.0 && best.coverage > 0.6) {
+  const ArcFit best = FindArc(smooth, local, least_radius);
+  if (best.strength > kLeastStrength && best.coverage > kLeastCoverage) {
     Neckline found;
     found.source = Neckline::Source::kCollarEdge;
-    found.curve = CurveOf(best, frame, corners);
-    found.confidence = std::clamp(0.35 + 0.08 * best.strength + 0.5 * (best.coverage - 0.6), 0.0, 0.95);
+    found.curve = CurveOf(best.arc, FollowEdge(smooth, local, best), frame, corners);
+    found.confidence =
+        std::clamp(0.45 + 0.08 * (best.strength - kLeastStrength) + 0.8 * (best.coverage - kLeastCoverage), 0.0, 0.95);
     return found;
   }
   if (silhouette_depth > 0.3) {

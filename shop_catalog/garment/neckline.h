@@ -19,9 +19,9 @@ struct Neckline {
   double confidence = 0.0;
 };
 
-// Finds the front neckline in a photograph (Lab, 32-bit floats). Rays go from the middle between the neck ends over the
-// lower half circle; the collar's edge is the strongest line of one kind (lighter below, darker below, or any change of
-// colour) that crosses all of them smoothly. `outline` is the silhouette, clockwise.
+// Finds the front neckline in a photograph (Lab, 32-bit floats): among smooth arcs between the neck ends, from a V to a
+// round U, the one along which the picture has the clearest edge of one kind (lighter below, darker below, or any
+// change of colour), then followed closely. `outline` is the silhouette, clockwise.
 Neckline FindFrontNeckline(const cv::Mat& lab, const Polygon& outline, const TopCorners& corners);
 
 // Returns the part of the silhouette between the neck ends: the neckline of a back view.
