@@ -34,6 +34,10 @@ Status CheckStatement(const ExtractionRequest& request) {
                   "garments of the kind " + std::string(GarmentKindName(request.kind)) +
                       " cannot be extracted yet; tshirt and long_sleeve can");
   }
+  if (request.kind == GarmentKind::kLongSleeve && request.annotation == nullptr) {
+    return Status(StatusCode::kUnimplemented, "KIND_NOT_SUPPORTED",
+                  "the points of a long_sleeve are not detected yet; give them as an annotation");
+  }
   if (request.length == 0.0) {
     return InvalidArgument(
         "LENGTH_MISSING",
@@ -123,7 +127,12 @@ Result<GarmentExtraction> ExtractOrThrow(const ExtractionRequest& request) {
     garment.back = std::move(back->view);
     result.back = back->confidence;
   }
-  FR_RETURN_IF_ERROR(ValidateGarment(garment));
+  const Status valid = ValidateGarment(garment);
+  if (!valid.ok() && request.annotation == nullptr && valid.reason().starts_with("POINT")) {
+    return FailedPrecondition("LOW_CONFIDENCE", "the points found contradict each other (" + valid.message() +
+                                                    "); spread the garment flat or give the points as an annotation");
+  }
+  FR_RETURN_IF_ERROR(valid);
   result.files.push_back(
       {"extraction.png", EncodePng(DrawExtraction(garment, front.photo, back ? &back->photo : nullptr))});
   return result;

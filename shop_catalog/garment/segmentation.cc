@@ -12,7 +12,9 @@
 namespace fitroom::shop_catalog {
 namespace {
 
-constexpr int kWorkingSide = 400;     // Longest side at which the methods run (unit: pixel).
+constexpr int kWorkingSide = 400;  // Longest side at which the methods run (unit: pixel).
+constexpr double kClearAgreement = 0.97;
+constexpr double kClearContrast = 0.85;
 constexpr int kPaletteSize = 5;       // Colours of the background that the frame may show.
 constexpr double kColourNoise = 2.5;  // Least standard deviation of a background colour (unit: Lab).
 constexpr uint64_t kRandomSeed =
@@ -243,7 +245,8 @@ cv::Mat CleanMask(const cv::Mat& mask, int sliver) {
   return filled.clone();
 }
 
-std::vector<MaskCandidate> SegmentGarment(const cv::Mat& rgb) {
+std::vector<MaskCandidate> SegmentGarment(const cv::Mat& rgb,
+                                          const std::function<bool(const MaskCandidate&)>& is_plausible) {
   const double scale = std::min(1.0, kWorkingSide / static_cast<double>(std::max(rgb.cols, rgb.rows)));
   cv::Mat small;
   cv::resize(rgb, small, cv::Size(), scale, scale, cv::INTER_AREA);
@@ -256,16 +259,21 @@ std::vector<MaskCandidate> SegmentGarment(const cv::Mat& rgb) {
   const int margin = std::max(3, std::max(small.cols, small.rows) / 40);
 
   std::vector<MaskCandidate> candidates;
-  const cv::Mat by_otsu = distance > OtsuLevel(distance, 12.0);
-  AddCandidate(candidates, "palette", by_otsu);
-  AddCandidate(candidates, "palette, low", distance > 2.5);
-  const size_t palette_count = candidates.size();
-  for (size_t i = 0; i < palette_count; ++i) {
-    const cv::Mat guess = candidates[i].mask;
-    AddCandidate(candidates, i == 0 ? "palette and grabcut" : "low palette and grabcut",
-                 RefineByGrabCut(small, guess, margin, 3));
+  AddCandidate(candidates, "palette", distance > OtsuLevel(distance, 12.0));
+  if (!candidates.empty()) {
+    AddCandidate(candidates, "palette and grabcut", RefineByGrabCut(small, candidates[0].mask, margin, 3));
   }
-  AddCandidate(candidates, "grabcut", SegmentByRectangle(small));
+  Rate(candidates, lab);
+  // GrabCut is the dearest step: where two methods agree on a clear edge, more of them would say the same.
+  const bool is_clear = candidates.size() == 2 && candidates[0].agreement > kClearAgreement &&
+                        candidates[0].contrast > kClearContrast && candidates[0].frame_part == 0.0;
+  if (!is_clear || !is_plausible(candidates[0])) {
+    AddCandidate(candidates, "grabcut", SegmentByRectangle(small));
+    AddCandidate(candidates, "palette, low", distance > 2.5);
+    if (!candidates.empty() && candidates.back().method == "palette, low") {
+      AddCandidate(candidates, "low palette and grabcut", RefineByGrabCut(small, candidates.back().mask, margin, 3));
+    }
+  }
   Rate(candidates, lab);
   for (MaskCandidate& candidate : candidates) {
     cv::resize(candidate.mask, candidate.mask, rgb.size(), 0, 0, cv::INTER_LINEAR);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,11 @@ struct MaskCandidate {
 };
 
 // Returns the methods' masks of an RGB photograph at its own size, most trusted first; those that found nothing are
-// left out. Deterministic. Time is bounded by the working size of the methods (about 400 pixels a side).
-std::vector<MaskCandidate> SegmentGarment(const cv::Mat& rgb);
+// left out. The dear methods are tried only where the cheap ones do not agree on a clear edge, or where `is_plausible`
+// (asked at the methods' own small size) says that what they agree on does not look like the garment. Deterministic.
+// Time is bounded by the methods' working size (400 pixels a side).
+std::vector<MaskCandidate> SegmentGarment(const cv::Mat& rgb,
+                                          const std::function<bool(const MaskCandidate&)>& is_plausible);
 
 // Keeps the region that is most likely the garment (large and central), fills its holes, and removes threads and
 // slivers thinner than `sliver` (unit: pixel). Returns an empty matrix where nothing is left.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "shop_catalog/garment/outline.h"
@@ -12,7 +13,8 @@ namespace fitroom::shop_catalog {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr int kSampleCount = 320;  // About 1.3 % of a T-shirt's height apart.
+constexpr int kSampleCount = 320;        // About 1.3 % of a T-shirt's height apart.
+constexpr int kCoarseSampleCount = 160;  // For the search over tilts.
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // A value that is expected, and how far off it costs one unit. Costs grow with the square up to a cap, so that one torn
@@ -232,31 +234,61 @@ Snapped SnapToTurn(const SampledOutline& outline, const Eigen::Vector2d& guess, 
   return best;
 }
 
+std::vector<double> TurnsOf(const Polygon& samples) {
+  const SampledOutline outline(samples, Perimeter(samples) / static_cast<double>(samples.size()));
+  // Turns are seen over 4 to 6 % of the height, whatever the number of samples.
+  const int arm = std::max(1, static_cast<int>(samples.size()) / 107);
+  std::vector<double> turns;
+  for (int i = 0; i < static_cast<int>(samples.size()); ++i) {
+    turns.push_back(0.5 * (outline.TurnAt(i, arm) + outline.TurnAt(i, arm + std::max(1, arm * 2 / 3))));
+  }
+  return turns;
+}
+
+struct Search {
+  ChainResult chain;
+  double tilt = 0.0;  // (unit: radian)
+  Polygon samples;
+};
+
+Search SearchTilts(const Polygon& outline, int sample_count, std::span<const double> tilts_deg) {
+  Search search;
+  search.samples = Resample(outline, sample_count);
+  const std::vector<double> turns = TurnsOf(search.samples);
+  const Eigen::Vector2d centre = Centroid(search.samples);
+  for (const double tilt_deg : tilts_deg) {
+    const ChainResult chain = FindChain(search.samples, turns, centre, tilt_deg * kDegree);
+    if (chain.cost >= search.chain.cost) continue;
+    search.chain = chain;
+    search.tilt = tilt_deg * kDegree;
+  }
+  return search;
+}
+
+constexpr std::array<double, 11> kTiltsDeg = {0.0, -8.0, 8.0, -16.0, 16.0, -24.0, 24.0, -32.0, 32.0, -40.0, 40.0};
+
 }  // namespace
+
+double TopShapeCost(const Polygon& outline) {
+  if (outline.size() < 32) return kInfinity;
+  return SearchTilts(outline, kCoarseSampleCount, kTiltsDeg).chain.cost / kTopCornerCount;
+}
 
 std::optional<TopCorners> FindTopCorners(const Polygon& outline) {
   if (outline.size() < 32) return std::nullopt;
-  const Polygon samples = Resample(outline, kSampleCount);
-  const SampledOutline coarse(samples, Perimeter(samples) / kSampleCount);
-  std::vector<double> turns;
-  for (int i = 0; i < coarse.count(); ++i) turns.push_back(0.5 * (coarse.TurnAt(i, 3) + coarse.TurnAt(i, 5)));
-  turns.resize(samples.size(), 0.0);
-  const Eigen::Vector2d centre = Centroid(samples);
-
-  ChainResult best;
-  double best_tilt = 0.0;
-  for (const double tilt_deg : {0.0, -8.0, 8.0, -16.0, 16.0, -24.0, 24.0, -32.0, 32.0, -40.0, 40.0}) {
-    const ChainResult chain = FindChain(samples, turns, centre, tilt_deg * kDegree);
-    if (chain.cost < best.cost) {
-      best = chain;
-      best_tilt = tilt_deg * kDegree;
-    }
-  }
+  const Search coarse = SearchTilts(outline, kCoarseSampleCount, kTiltsDeg);
+  if (!std::isfinite(coarse.chain.cost)) return std::nullopt;
+  const double tilt_deg = coarse.tilt / kDegree;
+  const Search search =
+      SearchTilts(outline, kSampleCount, std::array<double, 3>{tilt_deg, tilt_deg - 4.0, tilt_deg + 4.0});
+  const ChainResult& best = search.chain;
   if (!std::isfinite(best.cost)) return std::nullopt;
+  const Polygon& samples = search.samples;
+  const Eigen::Vector2d centre = Centroid(samples);
 
   TopCorners corners;
   corners.cost = best.cost / kTopCornerCount;
-  corners.height = Straighten(samples, centre, best_tilt).height;
+  corners.height = Straighten(samples, centre, search.tilt).height;
   const SampledOutline fine(outline, std::max(0.5, 0.002 * corners.height));
   for (size_t c = 0; c < kTopCornerCount; ++c) {
     const bool is_underarm = c == kUnderarmLeft || c == kUnderarmRight;

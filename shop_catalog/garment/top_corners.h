@@ -37,4 +37,8 @@ struct TopCorners {
 // the sharpest turn. Nothing if the outline is too short.
 std::optional<TopCorners> FindTopCorners(const Polygon& outline);
 
+// Returns the cost of the best chain alone, from a coarser search: for choosing between outlines. Infinite if there is
+// none.
+double TopShapeCost(const Polygon& outline);
+
 }  // namespace fitroom::shop_catalog

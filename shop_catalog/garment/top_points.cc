@@ -70,7 +70,10 @@ class Half {
     const double expected = kArmholePart * Out(Pixel(kUnderarmLeft));
     const double spread = 0.05 * corners_.height;
     const int arm = std::max(2, static_cast<int>(std::lround(0.05 * corners_.height / outline_.step())));
+    // Never at the neck: a shoulder is at least 4 cm long.
+    const double least = Out(Pixel(kNeckLeft)) + 0.06 * corners_.height;
     const int best = Best(kSleeveTopLeft, kNeckLeft, [&](int i) {
+      if (Out(outline_.at(i)) < least) return 1e9;
       const double off = (Out(outline_.at(i)) - expected) / spread;
       return off * off - 3.0 * outline_.TurnAt(i, arm);
     });
@@ -84,10 +87,13 @@ class Half {
     return {name, outline_.at(best), 0.9 * std::min(Confidence(kUnderarmLeft), Confidence(kHemLeft))};
   }
 
+  // The sample halfway along the shoulder between two points on it.
   OutlinePoint Halfway(const std::string& name, const OutlinePoint& a, const OutlinePoint& b) const {
-    const Eigen::Vector2d middle = 0.5 * (a.pixel + b.pixel);
-    const int best = Best(kSleeveTopLeft, kNeckLeft, [&](int i) { return (outline_.at(i) - middle).squaredNorm(); });
-    return {name, outline_.at(best), std::min(a.confidence, b.confidence)};
+    int first = outline_.IndexNear(a.pixel);
+    int last = outline_.IndexNear(b.pixel);
+    if (image_left_) std::swap(first, last);
+    if (last < first) last += outline_.count();
+    return {name, outline_.at((first + last) / 2), std::min(a.confidence, b.confidence)};
   }
 
  private:

@@ -22,6 +22,7 @@ constexpr int kMaxWorkingSide = 2048;  // Of the working image (unit: pixel).
 constexpr int kMinPhotoSide = 200;     // Below, a point is worth more than a centimetre (unit: pixel).
 constexpr double kMaxOnFrame = 0.012;  // Part of the outline that may lie on the frame.
 // Costs of the corner chain, per corner, seen on the external test photographs: T-shirts 0.2 to 2.5, others 3 and more.
+constexpr double kGoodShape = 1.5;
 constexpr double kDoubtfulShape = 2.6;
 constexpr double kWrongShape = 3.6;
 constexpr double kLeastMaskConfidence = 0.35;
@@ -94,12 +95,15 @@ Silhouette FromSegmentation(const cv::Mat& rgb) {
   Silhouette best;
   double best_score = -1e9;
   const MaskCandidate* chosen = nullptr;
-  const std::vector<MaskCandidate> candidates = SegmentGarment(rgb);
+  const auto looks_like_a_top = [](const MaskCandidate& candidate) {
+    const Polygon outline = TraceOutline(candidate.mask, 2.5);
+    return !outline.empty() && TopShapeCost(outline) < kGoodShape;
+  };
+  const std::vector<MaskCandidate> candidates = SegmentGarment(rgb, looks_like_a_top);
   for (const MaskCandidate& candidate : candidates) {
     const Polygon outline = TraceOutline(candidate.mask, 2.5 * std::max(1.0, std::max(rgb.cols, rgb.rows) / 400.0));
     if (outline.empty()) continue;
-    const std::optional<TopCorners> corners = FindTopCorners(outline);
-    const double shape_cost = corners ? std::min(corners->cost, 6.0) : 6.0;
+    const double shape_cost = std::min(TopShapeCost(outline), 6.0);
     const double score = candidate.agreement + candidate.contrast - 4.0 * candidate.frame_part - 0.25 * shape_cost;
     if (score > best_score) {
       best_score = score;
