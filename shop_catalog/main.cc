@@ -9,6 +9,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   int exit_code = 0;
   fitroom::shop_catalog::AddExtractCommand(app, exit_code);
+  fitroom::shop_catalog::AddSynthesizeCommand(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

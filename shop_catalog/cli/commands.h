@@ -10,4 +10,7 @@ namespace fitroom::shop_catalog {
 // extract: finds a garment's outline, points and measures in photographs and writes its folder.
 void AddExtractCommand(CLI::App& app, int& exit_code);
 
+// synthesize: draws photographs of a T-shirt.
+void AddSynthesizeCommand(CLI::App& app, int& exit_code);
+
 }  // namespace fitroom::shop_catalog
