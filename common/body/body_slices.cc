@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "common/body/arm_separation.h"
+
 namespace fitroom {
 namespace {
 
@@ -13,6 +15,13 @@ constexpr double kLegsSurelyApart = 0.30;
 constexpr double kLegsSurelyJoined = 0.60;
 constexpr double kArmsSurelyJoined = 0.80;
 constexpr double kArmsSurelyApart = 0.64;
+// An arm against a trunk (ArmSeparation::neck_ratio): the neck of its outline at the armpit, and at most anywhere
+// below. In the external population the neck has 0.75 from 3 to 9 mm above the armpit, and 1 or more beyond 15 mm.
+constexpr double kFoldedNeck = 0.75;
+constexpr double kTouchingNeck = 1.0;
+constexpr double kFoldRise = 0.006;        // (unit: metre)
+constexpr size_t kFoldDepth = 6;           // Slices: folds this far above a free arm are the armpit's own, 25 mm.
+constexpr double kTouchDoubt = 0.2;        // Counted as bridged outline (unit: metre).
 constexpr double kHeightTolerance = 2e-4;  // Of a merge (unit: metre).
 
 SectionOptions SliceOptions() {
@@ -159,28 +168,69 @@ class Slicer {
     }
   }
 
-  // From the chest down to the first slice at which the arm is apart, then on to the fingertips.
+  // From the chest down to the first slice at which the arm is apart from the trunk, or lies against it with a fold
+  // before and a fold behind; then on to the fingertips.
   void FollowArm(Side side) {
-    size_t k = SliceNumber(kArmsSurelyJoined);
     const size_t lowest = SliceNumber(kArmsSurelyApart);
-    int arm = -1;
+    size_t k = SliceNumber(kArmsSurelyJoined);
+    size_t folded = 0;  // The highest slice with both folds.
+    Eigen::Vector2d fold_middle = Eigen::Vector2d::Zero();
     for (; k > lowest; --k) {
-      arm = FindArm(body_.slices[k].loops, body_.slices[k].trunk, side, body_.stature);
-      if (arm >= 0) break;
+      BodySlice& slice = body_.slices[k];
+      slice.arm[IndexOf(side)] = FindArm(slice.loops, slice.trunk, side, body_.stature);
+      if (slice.arm[IndexOf(side)] >= 0) break;
+      if (folded == 0 && slice.trunk >= 0) {
+        if (const auto parts = SeparateArm(*slice.TrunkLoop(), FoldOptions(side, kFoldedNeck))) {
+          folded = k;
+          fold_middle = parts->cut_middle;
+        }
+      }
     }
-    if (arm < 0) return;
-    body_.slices[k].arm[IndexOf(side)] = arm;
-    RefineArmpit(side, body_.slices[k], body_.slices[k + 1]);
+    const bool apart = k > lowest;
+    if (apart && folded < k + kFoldDepth) {
+      RefineArmpit(side, body_.slices[k], body_.slices[k + 1]);
+    } else if (folded > 0) {
+      // The arm touches the trunk below the armpit: the skin's hollow ends a little below where its folds begin.
+      k = folded;
+      body_.armpit[IndexOf(side)] = {
+          Eigen::Vector3d(fold_middle.x(), body_.slices[k].height - kFoldRise, fold_middle.y()), kTouchDoubt, true};
+      if (!CutOffArm(body_.slices[k], side)) return;
+    } else {
+      return;
+    }
+    FollowArmDown(k, side);
+  }
+
+  void FollowArmDown(size_t k, Side side) {
     Eigen::Vector2d middle = body_.slices[k].ArmLoop(side)->centroid;
     Eigen::Vector2d drift = Eigen::Vector2d::Zero();
     while (k-- > 0) {
       BodySlice& slice = body_.slices[k];
-      const int next = ContinueArm(slice, middle + drift);
+      int next = ContinueArm(slice, middle + drift);
+      if (next < 0 && CutOffArm(slice, side)) next = slice.arm[IndexOf(side)];
       if (next < 0) break;
       slice.arm[IndexOf(side)] = next;
       drift = 0.7 * drift + 0.3 * (slice.ArmLoop(side)->centroid - middle);
       middle = slice.ArmLoop(side)->centroid;
     }
+  }
+
+  static ArmSeparationOptions FoldOptions(Side side, double max_neck_ratio) {
+    ArmSeparationOptions options;
+    options.sign = SignOf(side);
+    options.max_neck_ratio = max_neck_ratio;
+    return options;
+  }
+
+  // Cuts an arm that touches the trunk off the slice's trunk outline; false where none does.
+  static bool CutOffArm(BodySlice& slice, Side side) {
+    if (slice.trunk < 0) return false;
+    auto parts = SeparateArm(*slice.TrunkLoop(), FoldOptions(side, kTouchingNeck));
+    if (!parts) return false;
+    slice.loops[static_cast<size_t>(slice.trunk)] = std::move(parts->trunk);
+    slice.loops.push_back(std::move(parts->arm));
+    slice.arm[IndexOf(side)] = static_cast<int>(slice.loops.size()) - 1;
+    return true;
   }
 
   // The outline nearest to where the arm should go on; -1 where it has ended or touches the trunk.
