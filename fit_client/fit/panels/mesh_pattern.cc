@@ -13,6 +13,7 @@
 #include "fit_client/fit/panels/panel_mesher.h"
 #include "fit_client/fit/panels/photo_warp.h"
 #include "fit_client/fit/panels/sleeve_weights.h"
+#include "fit_client/fit/panels/topology.h"
 #include "fit_client/fit/panels/unfold_texture.h"
 
 namespace fitroom {
@@ -83,6 +84,12 @@ Result<std::vector<int>> AppendPanel(const PanelPattern& panel, const panels::Ou
   return particle_of;
 }
 
+int OpeningCount(const GarmentPattern& pattern) {
+  return static_cast<int>(
+      std::count_if(pattern.front.sections.begin(), pattern.front.sections.end(),
+                    [](const OutlineSection& section) { return section.kind == SectionKind::kOpening; }));
+}
+
 }  // namespace
 
 Result<ClothMesh> MeshPattern(const GarmentPattern& pattern, double pitch) {
@@ -109,6 +116,12 @@ Result<ClothMesh> MeshPattern(const GarmentPattern& pattern, double pitch) {
   mesh.seams.erase(std::unique(mesh.seams.begin(), mesh.seams.end(),
                                [](const SeamPair& s, const SeamPair& t) { return s.a == t.a && s.b == t.b; }),
                    mesh.seams.end());
+  const ClothTopology sewn = ComputeWeldedTopology(mesh);
+  if (!sewn.is_manifold || sewn.component_count != 1 || sewn.boundary_loop_count != OpeningCount(pattern)) {
+    return InvalidArgument("PITCH_TOO_COARSE", "at this pitch the sewn panels have " +
+                                                   std::to_string(sewn.boundary_loop_count) + " openings instead of " +
+                                                   std::to_string(OpeningCount(pattern)) + "; use a finer pitch");
+  }
   return mesh;
 }
 

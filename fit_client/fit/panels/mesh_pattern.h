@@ -11,7 +11,8 @@ namespace fitroom {
 // allows, all other named points carry a particle exactly; a named point that does not names its nearest neighbour on
 // the section. Particles are ordered panel by panel in rows upwards, each row from the wearer's right to left, so that
 // neighbours lie close in memory. The same pattern and pitch give the same bytes.
-// Fails with INVALID_ARGUMENT: PITCH_OUT_OF_RANGE, or a reason of TriangulatePolygon() where the outline is degenerate.
+// Fails with INVALID_ARGUMENT: PITCH_OUT_OF_RANGE, PITCH_TOO_COARSE (sewn, it would not have its openings), or a reason
+// of TriangulatePolygon() where the outline is degenerate.
 Result<ClothMesh> MeshPattern(const GarmentPattern& pattern, double pitch);
 
 }  // namespace fitroom

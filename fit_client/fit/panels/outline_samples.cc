@@ -28,6 +28,8 @@ std::vector<double> SampleArcs(const OutlineSection& section, const std::vector<
     const double span = stops[i] - stops[i - 1];
     int count = std::max(1, static_cast<int>(std::lround(span / pitch)));
     if (span / count > kLongestStep * pitch) ++count;
+    // One edge between two sewn corners would be sewn up itself: an opening has at least two.
+    if (section.kind == SectionKind::kOpening && stops.size() == 2) count = std::max(count, 2);
     for (int k = 1; k < count; ++k) samples.push_back(stops[i - 1] + span * k / count);
     samples.push_back(stops[i]);
   }

@@ -32,6 +32,7 @@ constexpr double kAsymmetry = 0.15;
 constexpr double kAsymmetryLength = 0.03;
 // Hems of front and back that differ by more than this are meant to (unit: metre).
 constexpr double kOwnHem = 0.03;
+constexpr double kLeastOpening = 0.04;  // Flat width; a child's arm (unit: metre).
 // The back neck of a garment shown from the front only (share of the front's depth; at most, unit: metre).
 constexpr double kShallowNeckShare = 0.3;
 constexpr double kShallowNeckMax = 0.025;
@@ -161,6 +162,19 @@ Status Normalise(double length, GarmentPattern& pattern) {
   return Status();
 }
 
+// A neck, sleeve or hem that no one gets through means that two points were taken for each other.
+Status CheckOpenings(const PanelPattern& panel) {
+  for (const OutlineSection& section : panel.sections) {
+    if (section.kind != SectionKind::kOpening) continue;
+    const double width = (section.points.back() - section.points.front()).norm();
+    if (width >= kLeastOpening) continue;
+    return InvalidArgument("OPENING_TOO_NARROW",
+                           "the opening from " + section.knots.front().name + " to " + section.knots.back().name +
+                               " is only " + std::to_string(width * 1000.0) + " mm wide; check these two points");
+  }
+  return Status();
+}
+
 }  // namespace
 
 Result<GarmentPattern> ReconcileViews(const Garment& garment) {
@@ -208,6 +222,7 @@ Result<GarmentPattern> ReconcileViews(const Garment& garment) {
   }
   FR_RETURN_IF_ERROR(Normalise(garment.length, pattern));
   for (const PanelPattern* panel : {&pattern.front, &pattern.back}) {
+    FR_RETURN_IF_ERROR(CheckOpenings(*panel));
     const std::vector<Eigen::Vector2d> outline = JoinedPoints(*panel);
     if (panels::SignedArea(outline) <= 0.0 || !panels::IsSimplePolygon(outline)) {
       return InvalidArgument("OUTLINE_NOT_A_GARMENT",

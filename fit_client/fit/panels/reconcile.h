@@ -13,7 +13,8 @@ namespace fitroom {
 // shoulder straight down to the hem). Without a back photograph the front's serves for both, mirrored so that it reads
 // from behind, with a shallow neck. Fails with INVALID_ARGUMENT: KIND_NOT_SUPPORTED, BAD_OUTLINE, BAD_SCALE,
 // POINT_MISSING, POINT_OFF_OUTLINE, POINTS_OUT_OF_ORDER, SCALE_CONTRADICTS_LENGTH (a view's scale and the length differ
-// by more than 15 %), OUTLINE_NOT_A_GARMENT (the reconciled outline crosses itself).
+// by more than 15 %), OPENING_TOO_NARROW (a neck, sleeve or hem of less than 4 cm), OUTLINE_NOT_A_GARMENT (the
+// reconciled outline crosses itself).
 Result<GarmentPattern> ReconcileViews(const Garment& garment);
 
 }  // namespace fitroom

@@ -61,14 +61,24 @@ Quality QualityOf(const ClothMesh& mesh) {
 
 class MeshPatternAtPitch : public ::testing::TestWithParam<double> {
  protected:
-  void SetUp() override {
-    pattern_ = CrumpledPattern();
-    Result<ClothMesh> mesh = MeshPattern(pattern_, GetParam());
-    ASSERT_TRUE(mesh.ok()) << mesh.status().ToString();
-    mesh_ = std::move(mesh).value();
+  // Cut once for all tests of a pitch.
+  struct Cut {
+    GarmentPattern pattern;
+    ClothMesh mesh;
+  };
+  static const Cut& CutAt(double pitch) {
+    static std::map<double, Cut> cuts;
+    const auto found = cuts.find(pitch);
+    if (found != cuts.end()) return found->second;
+    Cut cut{CrumpledPattern(), {}};
+    Result<ClothMesh> mesh = MeshPattern(cut.pattern, pitch);
+    if (!mesh.ok()) throw std::runtime_error(mesh.status().ToString());
+    cut.mesh = std::move(mesh).value();
+    return cuts.emplace(pitch, std::move(cut)).first->second;
   }
-  GarmentPattern pattern_;
-  ClothMesh mesh_;
+
+  const GarmentPattern& pattern_ = CutAt(GetParam()).pattern;
+  const ClothMesh& mesh_ = CutAt(GetParam()).mesh;
 };
 
 TEST_P(MeshPatternAtPitch, IsASphereWithFourHolesOnceSewn) {

@@ -240,6 +240,15 @@ TEST(ReconcileViews, RefusesWithAReason) {
   for (OutlinePoint& point : bad.front.points) point.name = TwinPointName(point.name);
   EXPECT_EQ(reason(bad), "POINTS_OUT_OF_ORDER");
 
+  bad = good;  // The sleeve's end taken for a point: its bottom corner beside its top one, on both sides and views.
+  for (GarmentView* view : {&bad.front, &*bad.back}) {
+    for (OutlinePoint& point : view->points) {
+      if (point.name == "sleeve_bottom_L") point.pixel = FindPoint(*view, "e4")->pixel + Eigen::Vector2d(0, 10);
+      if (point.name == "sleeve_bottom_R") point.pixel = FindPoint(*view, "e8")->pixel + Eigen::Vector2d(0, 10);
+    }
+  }
+  EXPECT_EQ(reason(bad), "OPENING_TOO_NARROW");
+
   bad = good;
   std::swap(bad.front.points[18].pixel, bad.front.points[16].pixel);  // hem_L and hip_L.
   EXPECT_EQ(reason(bad), "POINTS_OUT_OF_ORDER");
