@@ -30,8 +30,7 @@ Eigen::Vector2d TorsoAxis(const TriangleMesh& body, double height) {
   return {0.0, front > back ? 0.5 * (front + back) : 0.0};
 }
 
-EaseAtPlace MeasureEase(const std::string& place, const GirthMeasurement& girth, const Fit& fit,
-                        const TriangleMesh& body) {
+EaseAtPlace MeasureEase(const std::string& place, const GirthMeasurement& girth, const Fit& fit) {
   EaseAtPlace ease;
   ease.place = place;
   ease.height = girth.height;
@@ -41,7 +40,7 @@ EaseAtPlace MeasureEase(const std::string& place, const GirthMeasurement& girth,
     return ease;
   }
   const GarmentGirth garment =
-      MeasureDrapedGirth(fit.cloth, fit.stages.final, girth.height, TorsoAxis(body, girth.height));
+      MeasureDrapedGirth(fit.cloth, fit.stages.final, girth.height, TorsoAxis(fit.body_surface, girth.height));
   ease.measured = garment.found;
   ease.garment_girth = garment.girth;
   if (!garment.found) ease.note = "the garment does not reach round the " + place;
@@ -140,19 +139,19 @@ Result<Fit> FitGarment(const BodyInput& body, const GarmentInput& garment, const
   stopwatch.Lap("panels");
 
   report_progress("preparing the body", 0.02);
-  FR_ASSIGN_OR_RETURN(const TriangleMesh collider, RepairBody(body.body.mesh));
+  FR_ASSIGN_OR_RETURN(fit.body_surface, RepairBody(body.body.mesh));
   stopwatch.Lap("body without holes");
 
   const auto dressing = [&](double done) { report_progress("dressing", 0.05 + 0.75 * done); };
   FR_ASSIGN_OR_RETURN(DressTopResult dressed,
-                      DressTop(fit.cloth, body.body, collider, options.dressing, executor, dressing));
+                      DressTop(fit.cloth, body.body, fit.body_surface, options.dressing, executor, dressing));
   fit.stages = std::move(dressed.stages);
   stopwatch.Lap("dressing");
 
   DescribeOutcome(dressed.report, options.dressing.drape, fit.report);
   const BodyMeasurements& girths = body.body.measurements;
-  fit.report.ease = {MeasureEase("bust", girths.bust, fit, collider), MeasureEase("waist", girths.waist, fit, collider),
-                     MeasureEase("hip", girths.hip, fit, collider)};
+  fit.report.ease = {MeasureEase("bust", girths.bust, fit), MeasureEase("waist", girths.waist, fit),
+                     MeasureEase("hip", girths.hip, fit)};
   stopwatch.Lap("measuring");
   return fit;
 }

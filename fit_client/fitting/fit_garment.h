@@ -18,6 +18,7 @@ struct FitOptions {
 
 // A garment on a body.
 struct Fit {
+  TriangleMesh body_surface;  // Without holes: what the garment lies on, and what pictures show.
   ClothMesh cloth;
   DressingStages stages;
   FitReport report;  // All but times, memory and files, which are the command's.

@@ -48,7 +48,7 @@ Status WriteFitOutputs(const std::filesystem::path& folder, const BodyInput& bod
   FR_RETURN_IF_ERROR(MakeFolder(folder));
   const Image* back_texture = garment.back_texture.width > 0 ? &garment.back_texture : nullptr;
   render::DisplayBody display;
-  if (options.pictures || options.glb) display = render::PrepareBody(body.body.mesh);
+  if (options.pictures || options.glb) display = render::PrepareBody(fit.body_surface);
   if (options.pictures) {
     if (progress) progress("drawing", 0.82);
     render::FitPictureRequest request;

@@ -153,10 +153,9 @@ void WriteChecks(const FitReport& report, Page& page) {
                                 Count(inside.triangle_sample_count) + " points between them; deepest " +
                                 Format("%.2f mm", inside.deepest * 1e3));
   const StrainSummary& strain = report.strain;
-  page.Entry("strain",
-             verdict(strain.p95 < kStrainLimit) +
-                 Format("half of the cloth below %.1f %%, 95 %% below %.1f %%, 99 %% below %.1f %%, most %.1f %%",
-                        strain.p50 * 1e2, strain.p95 * 1e2, strain.p99 * 1e2, strain.max * 1e2));
+  page.Entry("strain", verdict(strain.p95 < kStrainLimit) +
+                           Format("half below %.1f %%, 95 %% below %.1f %%, 99 %% below %.1f %%, most %.1f %%",
+                                  strain.p50 * 1e2, strain.p95 * 1e2, strain.p99 * 1e2, strain.max * 1e2));
   page.Entry("cloth", verdict(report.euler_characteristic == report.expected_euler_characteristic) +
                           Count(report.particle_count) + " particles, " + Count(report.triangle_count) +
                           " triangles, edges of " + Quantity(report.mean_edge_length * 1e3, 1, "mm") +
@@ -195,7 +194,13 @@ std::string WriteText(const FitReport& report) {
   WriteCost(report, page);
   if (!report.files.empty()) {
     page.Heading("Files");
-    for (const OutputFile& file : report.files) page.Entry(file.name, file.description);
+    size_t longest = 0;
+    for (const OutputFile& file : report.files) longest = std::max(longest, file.name.size());
+    for (const OutputFile& file : report.files) {
+      std::string name = file.name;
+      name.resize(longest, ' ');
+      page.Entry(Printable(name), file.description);
+    }
   }
   return page.text();
 }

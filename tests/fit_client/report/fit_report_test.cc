@@ -113,7 +113,7 @@ TEST(FitReportText, DoesNotCallGoodWhatIsNot) {
   EXPECT_THAT(WriteText(report), HasSubstr("NOT GOOD: 412 pairs, 1 open"));
   report.seams.open_pair_count = 0;
   report.strain.p95 = 0.051;
-  EXPECT_THAT(WriteText(report), HasSubstr("NOT GOOD: half of the cloth"));
+  EXPECT_THAT(WriteText(report), HasSubstr("NOT GOOD: half below"));
   report.strain.p95 = 0.03;
   report.euler_characteristic = -1;
   EXPECT_THAT(WriteText(report), HasSubstr("NOT GOOD: 8,574 particles"));
