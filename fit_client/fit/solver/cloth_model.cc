@@ -1,6 +1,7 @@
 #include "fit_client/fit/solver/cloth_model.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -52,6 +53,8 @@ class ClothModelBuilder {
   }
 
  private:
+  using Spring = std::tuple<int, int, float, float>;  // Ends, rest length, compliance.
+
   Status CheckInput() const;
   void NumberParticles();
   void Bisect(std::vector<int>& order, size_t begin, size_t end, int depth,
@@ -63,8 +66,11 @@ class ClothModelBuilder {
   // Returns the chunk that holds all given particles, or the border.
   template <size_t kCount>
   ClothChunk& ChunkOf(const std::array<int, kCount>& particles);
-  static std::vector<StretchBatch> MakeBatches(const std::vector<std::tuple<int, int, float, float>>& springs,
-                                               int idle);
+  template <typename Constraint, typename ParticlesOf>
+  std::vector<std::vector<Constraint>> ByColour(const std::vector<Constraint>& constraints,
+                                                const ParticlesOf& particles_of) const;
+  std::vector<StretchBatch> MakeBatches(const std::vector<Spring>& springs, int idle) const;
+  void ColourBends(std::vector<BendConstraint>& bends) const;
 
   double RestArea(int triangle) const {
     const Eigen::Vector3i& corners = mesh_.triangles[static_cast<size_t>(triangle)];
@@ -224,7 +230,6 @@ ClothChunk& ClothModelBuilder::ChunkOf(const std::array<int, kCount>& particles)
 }
 
 void ClothModelBuilder::MakeConstraints() {
-  using Spring = std::tuple<int, int, float, float>;
   std::vector<std::vector<Spring>> springs(model_.chunks_.size() + 1);
   for (size_t begin = 0; begin < edge_uses_.size();) {
     size_t end = begin;
@@ -250,7 +255,9 @@ void ClothModelBuilder::MakeConstraints() {
     if (end - begin == 2) AddBend(edge_uses_[begin], edge_uses_[begin + 1]);
     begin = end;
   }
+  ColourBends(model_.border_.bend);
   for (size_t chunk = 0; chunk < model_.chunks_.size(); ++chunk) {
+    ColourBends(model_.chunks_[chunk].bend);
     model_.chunks_[chunk].stretch = MakeBatches(springs[chunk], model_.particle_count() + static_cast<int>(chunk));
   }
   model_.border_.stretch =
@@ -295,50 +302,48 @@ void ClothModelBuilder::AddBend(const EdgeUse& first, const EdgeUse& second) {
   ChunkOf(particles).bend.push_back(bend);
 }
 
-// Packs springs, nearly in order, four at a time so that no two of the four share a particle; places left over
-// go to `idle`.
-std::vector<StretchBatch> ClothModelBuilder::MakeBatches(const std::vector<std::tuple<int, int, float, float>>& springs,
-                                                         int idle) {
-  constexpr size_t kOpenBatches = 16;
-  std::vector<StretchBatch> batches;
-  struct Open {
-    StretchBatch batch;
-    size_t filled = 0;
-  };
-  std::vector<Open> open;
-  const auto close = [&](size_t index) {
-    Open& full = open[index];
-    for (size_t lane = full.filled; lane < 4; ++lane) full.batch.a[lane] = full.batch.b[lane] = idle;
-    batches.push_back(full.batch);
-    open.erase(open.begin() + static_cast<std::ptrdiff_t>(index));
-  };
-  for (const auto& [a, b, rest_length, compliance] : springs) {
-    size_t index = 0;
-    for (; index < open.size(); ++index) {
-      bool shares = false;
-      for (size_t lane = 0; lane < open[index].filled; ++lane) {
-        const int other_a = open[index].batch.a[lane];
-        const int other_b = open[index].batch.b[lane];
-        shares = shares || a == other_a || a == other_b || b == other_a || b == other_b;
-      }
-      if (!shares) break;
-    }
-    if (index == open.size()) {
-      if (open.size() == kOpenBatches) {
-        close(0);
-        --index;
-      }
-      open.emplace_back();
-    }
-    Open& target = open[index];
-    target.batch.a[target.filled] = a;
-    target.batch.b[target.filled] = b;
-    target.batch.rest_length[target.filled] = rest_length;
-    target.batch.compliance[target.filled] = compliance;
-    if (++target.filled == 4) close(index);
+// Colours constraints greedily so that no two of one colour share a particle, and returns their order by colour.
+// Neighbours in this order do not wait for each other's results, and four springs fit a batch.
+template <typename Constraint, typename ParticlesOf>
+std::vector<std::vector<Constraint>> ClothModelBuilder::ByColour(const std::vector<Constraint>& constraints,
+                                                                 const ParticlesOf& particles_of) const {
+  std::vector<uint64_t> used(static_cast<size_t>(model_.particle_count()), 0);  // One bit a colour.
+  std::vector<std::vector<Constraint>> colours;
+  for (const Constraint& constraint : constraints) {
+    uint64_t taken = 0;
+    for (const int particle : particles_of(constraint)) taken |= used[static_cast<size_t>(particle)];
+    // Vertices with dozens of neighbours exhaust the colours; what is left goes one by one, a colour each.
+    const size_t colour = taken == ~uint64_t{0} ? colours.size() : static_cast<size_t>(std::countr_one(taken));
+    if (colour >= colours.size()) colours.resize(colour + 1);
+    colours[colour].push_back(constraint);
+    if (colour >= 64) continue;
+    for (const int particle : particles_of(constraint)) used[static_cast<size_t>(particle)] |= uint64_t{1} << colour;
   }
-  while (!open.empty()) close(0);
+  return colours;
+}
+
+std::vector<StretchBatch> ClothModelBuilder::MakeBatches(const std::vector<Spring>& springs, int idle) const {
+  std::vector<StretchBatch> batches;
+  const auto ends = [](const Spring& spring) { return std::array<int, 2>{std::get<0>(spring), std::get<1>(spring)}; };
+  for (const std::vector<Spring>& colour : ByColour(springs, ends)) {
+    for (size_t index = 0; index < colour.size(); ++index) {
+      const size_t lane = index % 4;
+      if (lane == 0) {
+        batches.emplace_back();
+        batches.back().a.fill(idle);
+        batches.back().b.fill(idle);
+      }
+      std::tie(batches.back().a[lane], batches.back().b[lane], batches.back().rest_length[lane],
+               batches.back().compliance[lane]) = colour[index];
+    }
+  }
   return batches;
+}
+
+void ClothModelBuilder::ColourBends(std::vector<BendConstraint>& bends) const {
+  const auto colours = ByColour(bends, [](const BendConstraint& bend) { return bend.particles; });
+  bends.clear();
+  for (const std::vector<BendConstraint>& colour : colours) bends.insert(bends.end(), colour.begin(), colour.end());
 }
 
 Result<ClothModel> ClothModel::Create(const ClothMesh& mesh, const ClothMaterial& material,

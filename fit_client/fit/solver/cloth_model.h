@@ -18,7 +18,7 @@ struct ClothMaterial {
   // Mass per area (unit: kg/m^2). T-shirt jersey: 0.14 ... 0.22.
   double areal_density = 0.18;
   // Young's modulus times thickness (unit: N/m). A strip of width w and length l pulled by F is longer by F l / (w Y).
-  double stretch_stiffness = 600.0;
+  double stretch_stiffness = 1500.0;
   // Moment per curvature and width (unit: N m). Jersey: 1e-6 ... 1e-5, shirting: up to 1e-4.
   double bending_stiffness = 1e-5;
 };

@@ -74,20 +74,24 @@ void SolveStretchBatch(Float4* positions, const StretchBatch& batch, const Float
   }
 }
 
-void SolveBend(Float4* positions, const BendConstraint& bend, float denominator) {
-  __m128 x[4];
-  __m128 c[4];
-  for (int corner = 0; corner < 4; ++corner) {
-    x[corner] = Load(positions[bend.particles[static_cast<size_t>(corner)]]);
-    c[corner] = _mm_set1_ps(bend.coefficients[static_cast<size_t>(corner)]);
-  }
-  const __m128 sum = _mm_add_ps(_mm_add_ps(_mm_mul_ps(x[0], c[0]), _mm_mul_ps(x[1], c[1])),
-                                _mm_add_ps(_mm_mul_ps(x[2], c[2]), _mm_mul_ps(x[3], c[3])));
-  const __m128 step = _mm_mul_ps(Xyz(sum), _mm_set1_ps(denominator));
-  for (int corner = 0; corner < 4; ++corner) {
-    const __m128 share = _mm_mul_ps(c[corner], Broadcast<3>(x[corner]));
-    Store(positions[bend.particles[static_cast<size_t>(corner)]], _mm_sub_ps(x[corner], _mm_mul_ps(step, share)));
-  }
+// Solves one bend. `moves` are c_i / m_i / (weight + compliance / dt^2).
+void SolveBend(Float4* positions, const BendConstraint& bend, const Float4& moves) {
+  Float4& a = positions[bend.particles[0]];
+  Float4& b = positions[bend.particles[1]];
+  Float4& c = positions[bend.particles[2]];
+  Float4& d = positions[bend.particles[3]];
+  const __m128 at_a = Load(a);
+  const __m128 at_b = Load(b);
+  const __m128 at_c = Load(c);
+  const __m128 at_d = Load(d);
+  const __m128 k = _mm_loadu_ps(bend.coefficients.data());
+  const __m128 m = Load(moves);
+  const __m128 sum = Xyz(_mm_add_ps(_mm_add_ps(_mm_mul_ps(at_a, Broadcast<0>(k)), _mm_mul_ps(at_b, Broadcast<1>(k))),
+                                    _mm_add_ps(_mm_mul_ps(at_c, Broadcast<2>(k)), _mm_mul_ps(at_d, Broadcast<3>(k)))));
+  Store(a, _mm_sub_ps(at_a, _mm_mul_ps(sum, Broadcast<0>(m))));
+  Store(b, _mm_sub_ps(at_b, _mm_mul_ps(sum, Broadcast<1>(m))));
+  Store(c, _mm_sub_ps(at_c, _mm_mul_ps(sum, Broadcast<2>(m))));
+  Store(d, _mm_sub_ps(at_d, _mm_mul_ps(sum, Broadcast<3>(m))));
 }
 
 }  // namespace
@@ -140,7 +144,11 @@ ClothSolver::Denominators ClothSolver::MakeDenominators(const ClothChunk& chunk)
     denominators.stretch.push_back(lanes);
   }
   for (const BendConstraint& bend : chunk.bend) {
-    denominators.bend.push_back(1.0F / (bend.weight + bend.compliance * per_squared_step));
+    const float scale = 1.0F / (bend.weight + bend.compliance * per_squared_step);
+    const auto move = [&](size_t corner) {
+      return bend.coefficients[corner] * inverse_masses_[static_cast<size_t>(bend.particles[corner])] * scale;
+    };
+    denominators.bend.push_back({move(0), move(1), move(2), move(3)});
   }
   return denominators;
 }

@@ -86,7 +86,7 @@ class ClothSolver {
  private:
   struct Denominators {
     std::vector<Float4> stretch;  // 1 / (w_a + w_b + compliance / dt^2), one a lane.
-    std::vector<float> bend;
+    std::vector<Float4> bend;     // c_i / m_i / (weight + compliance / dt^2), one a particle.
   };
 
   void Integrate(ClothState& state, const ClothChunk& chunk) const;

@@ -20,10 +20,12 @@ constexpr double kApproachRate = 12.0;     // The speed falls to gap times this 
 constexpr int kMergingCheckInterval = 16;  // Substeps between looks at the seams.
 constexpr int kPatience = 40;              // Looks without progress before merging is given up.
 constexpr double kProgress = 2e-4;         // Less than this in `kPatience` looks is no progress (unit: metre).
-constexpr double kDrapingStep = 2.5e-4;    // (unit: second). Longer: the cloth's own weight stretches it by over 5 %.
-constexpr double kDrapingDrag = 6.0;       // (unit: 1/s). About critical for a hem that swings on 0.6 m of cloth.
-constexpr int kOffsetInterval = 64;        // Substeps between looks at edge middles and triangle centres.
-constexpr int kRestWindows = 3;            // Rest must hold for this many sixtieths of a second.
+constexpr double kFallingStep =
+    4e-4;  // While the cloth falls (unit: second). Longer: its weight stretches it by over 5 %.
+constexpr double kSettlingStep = 1.6e-4;  // At the end (unit: second): stretch falls with the square of the step.
+constexpr double kSettlingSpeed = 0.06;   // Falling ends when 99 % are slower (unit: m/s).
+constexpr double kDrapingDrag = 12.0;     // (unit: 1/s). Over-critical for a hem that swings on 0.6 m of cloth.
+constexpr int kRestWindows = 3;           // Rest must hold for this many sixtieths of a second.
 
 // Runs the stages of one call of Drape().
 class DrapeRun {
@@ -272,7 +274,7 @@ Status DrapeRun::LetHang() {
   FR_ASSIGN_OR_RETURN(const ClothModel model, ClothModel::Create(mesh_, options_.material, welds));
   ClothSolver solver(model, body_, executor_);
   MotionOptions motion;
-  motion.time_step = kDrapingStep;
+  motion.time_step = kFallingStep;
   motion.gravity = options_.gravity;
   motion.drag = kDrapingDrag;
   motion.friction_coefficient = options_.friction_coefficient;
@@ -281,26 +283,31 @@ Status DrapeRun::LetHang() {
   ClothState state = solver.MakeState(ParticlePositions(model));
   TakePositions(model, state);
 
-  const int window = static_cast<int>(std::lround(1.0 / (60.0 * kDrapingStep)));
   int windows_at_rest = 0;
-  int samples_too_close = 0;
+  bool is_settling = false;
   std::vector<Eigen::Vector3d> before = ClothSolver::Positions(state, model.particle_count());
   while (report_.draping_substeps < options_.draping_substep_limit) {
+    const int window = static_cast<int>(std::lround(1.0 / (60.0 * motion.time_step)));
     solver.Advance(state, window, MakePulls(model, open_seams_), 0.1 * options_.closing_speed);
     report_.draping_substeps += window;
+    report_.simulated_seconds += window * motion.time_step;
     substep_ += window;
     FR_RETURN_IF_ERROR(CheckFinite(state));
     const std::vector<Eigen::Vector3d> after = ClothSolver::Positions(state, model.particle_count());
     TakePositions(model, state);
-    const bool at_rest = IsAtRest(before, after, window * kDrapingStep, state) && TouchesBody();
-    windows_at_rest = at_rest ? windows_at_rest + 1 : 0;
+    const bool at_rest = IsAtRest(before, after, window * motion.time_step, state) && TouchesBody();
+    windows_at_rest = at_rest && is_settling ? windows_at_rest + 1 : 0;
     before = after;
-    samples_too_close = solver.RaiseOffsets(state, options_.sample_clearance);
+    const int samples_too_close = solver.RaiseOffsets(state, options_.sample_clearance);
     if (windows_at_rest >= kRestWindows && samples_too_close == 0) break;
+    if (!is_settling && report_.speed_p99 < kSettlingSpeed) {
+      is_settling = true;
+      motion.time_step = kSettlingStep;
+      solver.SetMotion(motion);
+    }
     Observe(DrapeStage::kDraping, 0.3 + 0.7 * report_.draping_substeps / options_.draping_substep_limit);
   }
   TouchesBody();
-  report_.simulated_seconds = report_.draping_substeps * kDrapingStep;
   report_.outcome = !open_seams_.empty()              ? DrapeOutcome::kSeamsOpen
                     : windows_at_rest >= kRestWindows ? DrapeOutcome::kAtRest
                                                       : DrapeOutcome::kNotAtRest;
