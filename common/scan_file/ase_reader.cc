@@ -29,7 +29,10 @@ bool StartsWith(const char* position, const char* end, std::string_view word) {
 class AseReader {
  public:
   AseReader(const SourceText& source, const ReadScanLimits& limits)
-      : source_(source), p_(source.begin()), end_(source.end()), builder_(source, limits) {}
+      : source_(source), p_(source.begin()), end_(source.end()), builder_(source, limits) {
+    // Some exporters end a text with NUL or Control-Z.
+    while (end_ > p_ && (end_[-1] == '\0' || end_[-1] == '\x1A')) --end_;
+  }
 
   Result<RawScan> Read() {
     FR_RETURN_IF_ERROR(ReadTopLevel());
@@ -184,6 +187,7 @@ Status AseReader::ReadTopLevel() {
       FR_RETURN_IF_ERROR(ReadGeomObject());
     } else if (keyword == "GROUP") {
       ReadQuoted();
+      p_ = std::min(open_.Find(p_, end_), line_end_.Find(p_, end_));  // A name may hold a quote itself.
       FR_RETURN_IF_ERROR(EnterBlock());
       if (group_depth++ == 0) group_start = start;
     } else if (keyword == "MATERIAL_LIST") {
@@ -231,6 +235,7 @@ Status AseReader::ReadGeomObject() {
     const std::string_view keyword = ReadKeyword();
     if (keyword == "NODE_NAME" && name.empty()) {
       name = CleanText(ReadQuoted());
+      FR_RETURN_IF_ERROR(SkipValue());  // A name may hold a quote itself.
     } else if (keyword == "MESH" && !has_mesh) {
       has_mesh = true;
       FR_RETURN_IF_ERROR(builder_.BeginObject(p_, name));

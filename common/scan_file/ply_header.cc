@@ -97,6 +97,7 @@ class HeaderReader {
     const size_t end = rest.find(line_end_);
     if (end == std::string_view::npos) return false;
     line_ = rest.substr(0, end);
+    if (line_.ends_with('\r')) line_.remove_suffix(1);  // Line ends may be mixed.
     p_ += end + line_end_.size();
     return true;
   }

@@ -83,7 +83,8 @@ class BinaryValues {
   }
   bool ok() const { return ok_; }
   const char* position() const { return p_; }
-  const char* EndOfData() const { return p_; }
+  // A line end behind the last row is let pass.
+  const char* EndOfData() const { return end_ - p_ <= 2 ? SkipSpace(p_, end_) : p_; }
 
  private:
   template <typename T>

@@ -113,6 +113,19 @@ TEST(Ase, ReadsEveryObjectAndSkipsWhatIsNone) {
   EXPECT_EQ(scan.mesh.vertices[5], Eigen::Vector3d(0.0, 0.5, 1.0));
 }
 
+// What other exporters, editors and users leave in a file.
+TEST(Ase, TakesQuotesInNamesAndMarksAtTheEnd) {
+  const TriangleMesh mesh = MakeSphere(6, 7);
+  const std::string text = FormatAse(mesh, MakeTexturedContent(mesh));
+  const RawScan quoted = ReadOrFail(Replace(text, "*NODE_NAME \"body\"", "*NODE_NAME \"Bob\"s \"scan\""));
+  ExpectSameMesh(quoted, mesh);
+  EXPECT_EQ(quoted.objects[0].name, "Bob");
+  ExpectSameMesh(ReadOrFail(Replace(text, "*NODE_NAME \"body\"", "*NODE_NAME body")), mesh);
+  ExpectSameMesh(ReadOrFail(text + '\x1A'), mesh);
+  ExpectSameMesh(ReadOrFail(text + std::string(3, '\0')), mesh);
+  ExpectSameMesh(ReadOrFail(Replace(text, "*GEOMOBJECT", "*GROUP \"Bob\"s\" {\r\n*GEOMOBJECT") + "}"), mesh);
+}
+
 TEST(Ase, EntriesMayComeInAnyOrder) {
   const std::string first = "\t\t\t*MESH_VERTEX    0\t0.0\t0.0\t0.0\n";
   const std::string last = "\t\t\t*MESH_VERTEX    2\t0.0\t.5\t1.\n";

@@ -94,6 +94,14 @@ TEST(Ply, FansPolygonsOfAnyLineEnd) {
   EXPECT_EQ(ReadOrFail(text.substr(0, text.size() - 1)).mesh.triangles, expected);  // The last line may lack its end.
 }
 
+TEST(Ply, LineEndsOfTheHeadMayBeMixed) {
+  const TriangleMesh mesh = MakeSphere(5, 6);
+  const std::string bytes = FormatBinaryPly<uint8_t, int32_t>(mesh, false, "uchar", "int");
+  const std::string mixed = testing::ReplaceFirst(bytes, " 1.0\n", " 1.0\r\n");
+  EXPECT_EQ(ReadOrFail(mixed).mesh.triangles, mesh.triangles);
+  EXPECT_EQ(ReadOrFail(bytes + "\r\n").mesh.triangles, mesh.triangles);
+}
+
 TEST(Ply, FacesMayComeBeforeVertices) {
   const std::string text =
       "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\nelement vertex 3\n"
