@@ -52,6 +52,7 @@ class DrapeRun {
  private:
   Status Merge();
   Status LetHang();
+  void Settle(ClothSolver& solver, ClothState& state);
   void Conclude();
 
   // Says whether the cloth is at rest, from how far particles went in a sixtieth of a second; fills the report.
@@ -264,6 +265,23 @@ bool DrapeRun::IsAtRest(const std::vector<Eigen::Vector3d>& before, const std::v
   return report_.share_at_rest >= options_.rest_share && report_.speed_p99 < options_.rest_speed_of_99_percent;
 }
 
+// Lets stretch and creases of the start positions go before friction holds them.
+void DrapeRun::Settle(ClothSolver& solver, ClothState& state) {
+  MotionOptions motion;
+  motion.time_step = kMergingStep;
+  motion.gravity.setZero();
+  motion.drag = kMergingDrag;
+  motion.friction_coefficient = options_.stitching_friction_coefficient;
+  motion.contact_offset = options_.contact_offset;
+  solver.SetMotion(motion);
+  for (int done = 0; done < options_.settling_substeps; done += kOffsetInterval) {
+    solver.Advance(state, std::min(kOffsetInterval, options_.settling_substeps - done), {}, 0.0);
+    solver.RaiseOffsets(state, options_.sample_clearance);
+  }
+  report_.settling_substeps = options_.settling_substeps;
+  substep_ += options_.settling_substeps;
+}
+
 Status DrapeRun::LetHang() {
   std::vector<SeamPair> welds;
   for (const SeamPair& pair : mesh_.seams) {
@@ -273,6 +291,8 @@ Status DrapeRun::LetHang() {
   }
   FR_ASSIGN_OR_RETURN(const ClothModel model, ClothModel::Create(mesh_, options_.material, welds));
   ClothSolver solver(model, body_, executor_);
+  ClothState state = solver.MakeState(ParticlePositions(model));
+  Settle(solver, state);
   MotionOptions motion;
   motion.time_step = kFallingStep;
   motion.gravity = options_.gravity;
@@ -280,7 +300,7 @@ Status DrapeRun::LetHang() {
   motion.friction_coefficient = options_.friction_coefficient;
   motion.contact_offset = options_.contact_offset;
   solver.SetMotion(motion);
-  ClothState state = solver.MakeState(ParticlePositions(model));
+  FR_RETURN_IF_ERROR(CheckFinite(state));
   TakePositions(model, state);
 
   int windows_at_rest = 0;

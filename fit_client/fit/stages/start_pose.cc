@@ -127,7 +127,7 @@ class HalfPlacement {
     }
     const std::vector<double> side_lengths = RestArcLengths(cloth_, side_seam_);
     for (size_t i = 0; i < side_seam_.size(); ++i) {
-      const double y = tube_.underarm_y - side_lengths[i];
+      const double y = tube_.underarm_y - options_.side_scale * side_lengths[i];
       anchors.push_back(
           {side_seam_[i], Place({tube_.Sample(tube_.half_widths, y), y}, guides_.LevelAt(y).middle_depth)});
     }

@@ -13,8 +13,12 @@ namespace fitroom {
 // How a top is held up to the body before it is sewn.
 struct StartPoseOptions {
   double clearance =
-      0.006;            // From the body to the cloth; a wider tube shrinks onto the hip and climbs it (unit: metre).
-  double apart = 0.15;  // How far in front and behind the panels start (unit: metre).
+      0.006;  // From the body to the cloth; a wider tube shrinks onto the hip and climbs it (unit: metre).
+  // The side seams start shorter than they are by this factor, because the panels' middles take the longer way over
+  // bust, belly and seat: cloth that starts short falls into place, cloth that starts long is held by friction at the
+  // hip and pulls at the neck.
+  double side_scale = 0.95;
+  double apart = 0.15;       // How far in front and behind the panels start (unit: metre).
   double map_pitch = 0.004;  // Of the frontal map of the body (unit: metre).
 };
 
