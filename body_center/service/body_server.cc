@@ -1,16 +1,14 @@
 #include "body_center/service/body_server.h"
 
 #include <chrono>
-#include <condition_variable>
 #include <ctime>
-#include <mutex>
-#include <thread>
 #include <utility>
 
 #include <spdlog/spdlog.h>
 
 #include "body_center/service/scan_service.h"
 #include "body_center/store/sqlite_body_store.h"
+#include "common/rpc/periodic_task.h"
 #include "common/rpc/server.h"
 
 namespace fitroom::body_center {
@@ -19,36 +17,11 @@ namespace {
 constexpr std::chrono::hours kUploadLifetime{24};
 constexpr std::chrono::hours kSweepPeriod{1};
 
-// Drops stale uploads now and every hour, in a thread of its own.
-class UploadSweeper {
- public:
-  explicit UploadSweeper(BodyStore& store) : store_(store), thread_([this] { Run(); }) {}
-  ~UploadSweeper() {
-    {
-      const std::lock_guard lock(mutex_);
-      stopping_ = true;
-    }
-    changed_.notify_all();
-    thread_.join();
-  }
-
- private:
-  void Run() {
-    std::unique_lock lock(mutex_);
-    while (!stopping_) {
-      const Result<int64_t> dropped =
-          store_.DropUploadsBefore(std::time(nullptr) - std::chrono::seconds(kUploadLifetime).count());
-      if (!dropped.ok()) spdlog::warn("sweep reason={}", dropped.status().reason());
-      changed_.wait_for(lock, kSweepPeriod);
-    }
-  }
-
-  BodyStore& store_;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  bool stopping_ = false;
-  std::thread thread_;
-};
+void DropStaleUploads(BodyStore& store) {
+  const Result<int64_t> dropped =
+      store.DropUploadsBefore(std::time(nullptr) - std::chrono::seconds(kUploadLifetime).count());
+  if (!dropped.ok()) spdlog::warn("sweep reason={}", dropped.status().reason());
+}
 
 class RunningBodyServer final : public BodyServer {
  public:
@@ -56,7 +29,7 @@ class RunningBodyServer final : public BodyServer {
       : store_(std::move(store)),
         runtime_(/*thread_count=*/4, limits),
         service_(std::make_unique<ScanServiceImpl>(*store_, std::move(acceptor), runtime_)),
-        sweeper_(std::make_unique<UploadSweeper>(*store_)) {}
+        sweeper_(std::make_unique<rpc::PeriodicTask>(kSweepPeriod, [this] { DropStaleUploads(*store_); })) {}
   ~RunningBodyServer() override { Shutdown(); }
 
   Status Listen(const rpc::ServerOptions& options) {
@@ -73,7 +46,7 @@ class RunningBodyServer final : public BodyServer {
   std::unique_ptr<BodyStore> store_;
   rpc::CallRuntime runtime_;
   std::unique_ptr<ScanServiceImpl> service_;
-  std::unique_ptr<UploadSweeper> sweeper_;
+  std::unique_ptr<rpc::PeriodicTask> sweeper_;
   std::unique_ptr<rpc::Server> server_;
 };
 

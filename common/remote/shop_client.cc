@@ -1,0 +1,201 @@
+#include "common/remote/shop_client.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "common/remote/chunk.h"
+#include "common/remote/shop_convert.h"
+#include "common/rpc/client.h"
+#include "common/rpc/status_conversion.h"
+#include "fitroom/shop/v1/garment_service.grpc.pb.h"
+
+namespace fitroom::remote {
+
+using shop::v1::GarmentService;
+
+struct ShopClient::Impl {
+  std::string server;
+  std::unique_ptr<GarmentService::Stub> stub;
+
+  Status Error(const grpc::Status& status) const { return rpc::FromGrpcStatus(status, server); }
+
+  // Makes one unary call, repeated while that may help.
+  template <typename Request, typename Response>
+  Status Call(grpc::Status (GarmentService::Stub::*method)(grpc::ClientContext*, const Request&, Response*),
+              const Request& request, Response& response, std::chrono::milliseconds timeout) const {
+    return rpc::RetryTransient({}, [&] {
+      const auto context = rpc::MakeClientContext(timeout);
+      return Error((stub.get()->*method)(context.get(), request, &response));
+    });
+  }
+
+  Status DownloadOnce(const std::string& name, int64_t& offset, const std::function<Status(std::string_view)>& sink,
+                      Status& sink_status) const;
+};
+
+ShopClient::ShopClient(const std::string& address)
+    : impl_(new Impl{"shop at " + address, GarmentService::NewStub(rpc::OpenChannel(address))}) {}
+
+ShopClient::~ShopClient() = default;
+
+Result<GarmentUpload> ShopClient::StartUpload(const GarmentUploadStatement& statement) {
+  shop::v1::StartGarmentUploadRequest request;
+  ToProto(statement, request);
+  shop::v1::StartGarmentUploadResponse response;
+  FR_RETURN_IF_ERROR(impl_->Call(&GarmentService::Stub::StartGarmentUpload, request, response, rpc::kQuickCall));
+  return UploadFromProto(response.upload(), statement);
+}
+
+Result<GarmentUpload> ShopClient::GetUpload(const GarmentUpload& upload) {
+  shop::v1::GetGarmentUploadRequest request;
+  request.set_name(UploadName(upload));
+  shop::v1::GetGarmentUploadResponse response;
+  FR_RETURN_IF_ERROR(impl_->Call(&GarmentService::Stub::GetGarmentUpload, request, response, rpc::kQuickCall));
+  return UploadFromProto(response.upload(), upload.statement);
+}
+
+Result<int64_t> ShopClient::SendBytes(const GarmentUpload& upload, GarmentSide side, int64_t offset,
+                                      std::string_view bytes) {
+  const auto context = rpc::MakeClientContext(rpc::kStreamCall);
+  rpc::ClientStallGuard guard(*context);
+  shop::v1::UploadPhotoResponse response;
+  const auto writer = impl_->stub->UploadPhoto(context.get(), &response);
+  shop::v1::UploadPhotoRequest request;
+  request.set_upload(UploadName(upload));
+  request.set_side(ToProto(side));
+  for (size_t sent = 0; sent < bytes.size();) {
+    const std::string_view piece = bytes.substr(sent, kMaxChunkSize);
+    FillChunk(offset + static_cast<int64_t>(sent), piece, *request.mutable_chunk());
+    if (!writer->Write(request)) break;
+    guard.Progress();
+    sent += piece.size();
+    request.clear_upload();
+    request.clear_side();
+  }
+  writer->WritesDone();
+  FR_RETURN_IF_ERROR(impl_->Error(writer->Finish()));
+  return response.committed_size_bytes();
+}
+
+Result<GarmentRecord> ShopClient::FinishUpload(const GarmentUpload& upload) {
+  shop::v1::FinishGarmentUploadRequest request;
+  request.set_name(UploadName(upload));
+  shop::v1::FinishGarmentUploadResponse response;
+  FR_RETURN_IF_ERROR(impl_->Call(&GarmentService::Stub::FinishGarmentUpload, request, response, rpc::kLongCall));
+  return GarmentRecordFromProto(response.garment());
+}
+
+Status ShopClient::CancelUpload(const GarmentUpload& upload) {
+  shop::v1::CancelGarmentUploadRequest request;
+  request.set_name(UploadName(upload));
+  shop::v1::CancelGarmentUploadResponse response;
+  return impl_->Call(&GarmentService::Stub::CancelGarmentUpload, request, response, rpc::kQuickCall);
+}
+
+Result<GarmentRecord> ShopClient::Publish(const GarmentUploadStatement& statement,
+                                          const std::vector<std::string_view>& photos, const ProgressSink& progress) {
+  // The garment as it stands, if it is the stated one: an acknowledgement may have been lost on its way.
+  const auto find_published = [&]() -> Result<GarmentRecord> {
+    FR_ASSIGN_OR_RETURN(GarmentRecord record, GetGarment(statement.id));
+    bool is_same = record.garment.kind == statement.kind && record.garment.length == statement.length;
+    for (const PhotoStatement& photo : statement.photos) {
+      is_same =
+          is_same && std::any_of(record.images.begin(), record.images.end(), [&](const GarmentImageRecord& image) {
+            return image.kind == GarmentImageKind::kPhoto && image.side == photo.side && image.hash == photo.hash;
+          });
+    }
+    if (is_same) return record;
+    return Status(StatusCode::kAlreadyExists, "GARMENT_EXISTS",
+                  GarmentName(statement.id) + " is another garment; choose another id");
+  };
+  Result<GarmentUpload> started = StartUpload(statement);
+  if (!started.ok()) {
+    return started.status().reason() == "GARMENT_EXISTS" ? find_published() : Result<GarmentRecord>(started.status());
+  }
+  for (size_t i = 0; i < photos.size(); ++i) {
+    if (progress) progress("sending", static_cast<double>(i) / static_cast<double>(photos.size()));
+    FR_RETURN_IF_ERROR(rpc::RetryTransient({}, [&]() -> Status {
+      // Where the upload stands is the server's to say.
+      FR_ASSIGN_OR_RETURN(const GarmentUpload now, GetUpload(*started));
+      const int64_t offset = now.committed_sizes[i];
+      if (offset == statement.photos[i].size) return Status();
+      return SendBytes(*started, statement.photos[i].side, offset, photos[i].substr(static_cast<size_t>(offset)))
+          .status();
+    }));
+  }
+  if (progress) progress("extracting", 1.0);
+  Result<GarmentRecord> finished = FinishUpload(*started);
+  if (!finished.ok() && finished.status().reason() == "UPLOAD_NOT_FOUND") return find_published();
+  return finished;
+}
+
+Result<GarmentRecord> ShopClient::GetGarment(std::string_view id) {
+  shop::v1::GetGarmentRequest request;
+  request.set_name(GarmentName(id));
+  shop::v1::GetGarmentResponse response;
+  FR_RETURN_IF_ERROR(impl_->Call(&GarmentService::Stub::GetGarment, request, response, rpc::kQuickCall));
+  return GarmentRecordFromProto(response.garment());
+}
+
+Result<GarmentPage> ShopClient::ListGarments(int page_size, const std::string& page_token) {
+  shop::v1::ListGarmentsRequest request;
+  request.set_page_size(page_size);
+  request.set_page_token(page_token);
+  shop::v1::ListGarmentsResponse response;
+  FR_RETURN_IF_ERROR(impl_->Call(&GarmentService::Stub::ListGarments, request, response, rpc::kQuickCall));
+  GarmentPage page;
+  page.next_page_token = response.next_page_token();
+  for (const shop::v1::Garment& message : response.garments()) {
+    FR_ASSIGN_OR_RETURN(GarmentRecord record, GarmentRecordFromProto(message));
+    page.garments.push_back(std::move(record));
+  }
+  return page;
+}
+
+Result<std::vector<GarmentRecord>> ShopClient::ListAllGarments() {
+  std::vector<GarmentRecord> garments;
+  std::string token;
+  do {
+    FR_ASSIGN_OR_RETURN(GarmentPage page, ListGarments(/*page_size=*/200, token));
+    std::move(page.garments.begin(), page.garments.end(), std::back_inserter(garments));
+    token = page.next_page_token;
+  } while (!token.empty());
+  return garments;
+}
+
+// One stream; `offset` moves with what `sink` has taken, so that the next one can go on there.
+Status ShopClient::Impl::DownloadOnce(const std::string& name, int64_t& offset,
+                                      const std::function<Status(std::string_view)>& sink, Status& sink_status) const {
+  shop::v1::DownloadImageRequest request;
+  request.set_name(name);
+  request.set_offset_bytes(offset);
+  const auto context = rpc::MakeClientContext(rpc::kStreamCall);
+  rpc::ClientStallGuard guard(*context);
+  const auto reader = stub->DownloadImage(context.get(), request);
+  shop::v1::DownloadImageResponse response;
+  Status taken;
+  while (taken.ok() && reader->Read(&response)) {
+    guard.Progress();
+    taken = CheckChunk(response.chunk(), offset);
+    if (taken.ok()) {
+      taken = sink_status = sink(response.chunk().data());
+      offset += static_cast<int64_t>(response.chunk().data().size());
+    }
+  }
+  if (!taken.ok()) context->TryCancel();
+  const Status finished = Error(reader->Finish());
+  return taken.ok() ? finished : taken;
+}
+
+Status ShopClient::DownloadImage(std::string_view garment, std::string_view image, int64_t offset,
+                                 const std::function<Status(std::string_view)>& sink) {
+  Status sink_status;
+  const std::string name = ToString(ImageName{std::string(garment), std::string(image)});
+  const Status status = rpc::RetryTransient({}, [&]() -> Status {
+    const Status outcome = impl_->DownloadOnce(name, offset, sink, sink_status);
+    return sink_status.ok() ? outcome : Status();  // The sink's own error is not the line's: no second try.
+  });
+  return sink_status.ok() ? status : sink_status;
+}
+
+}  // namespace fitroom::remote
