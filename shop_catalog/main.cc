@@ -8,6 +8,10 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "shop_catalog " FITROOM_VERSION);
   app.require_subcommand(1);
   int exit_code = 0;
+  fitroom::shop_catalog::AddServeCommand(app, exit_code);
+  fitroom::shop_catalog::AddPublishCommand(app, exit_code);
+  fitroom::shop_catalog::AddListCommand(app, exit_code);
+  fitroom::shop_catalog::AddShowCommand(app, exit_code);
   fitroom::shop_catalog::AddExtractCommand(app, exit_code);
   fitroom::shop_catalog::AddSynthesizeCommand(app, exit_code);
   try {

@@ -1,0 +1,136 @@
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "common/base/exit_code.h"
+#include "common/base/file.h"
+#include "common/base/progress.h"
+#include "common/base/resource_name.h"
+#include "common/garment/garment_folder.h"
+#include "common/remote/shop_client.h"
+#include "shop_catalog/cli/commands.h"
+#include "shop_catalog/cli/garment_table.h"
+
+namespace fitroom::shop_catalog {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PublishOptions {
+  fs::path front, back;
+  std::string kind = "tshirt";
+  double length_cm = 0;  // 0: not stated.
+  std::string id, title;
+  fs::path annotation;
+  fs::path extracted;  // A folder that `extract` wrote.
+  std::string server = kDefaultServer;
+  bool json = false;
+};
+
+// The points of an extracted garment as an annotation, so that what a person has looked at is what is published.
+std::string AnnotationOf(const Garment& garment) {
+  nlohmann::ordered_json json;
+  const auto add = [&json](const char* side, const GarmentView& view) {
+    for (const OutlinePoint& point : view.points) {
+      json[side][point.name] = {{"pixel", {point.pixel.x(), point.pixel.y()}}, {"confidence", point.confidence}};
+    }
+  };
+  add("front", garment.front);
+  if (garment.back) add("back", *garment.back);
+  return json.dump();
+}
+
+// Takes what was not stated from the folder of an extraction.
+Status FillFromExtracted(PublishOptions& options, GarmentUploadStatement& statement) {
+  FR_ASSIGN_OR_RETURN(const Garment garment, ReadGarmentFolder(options.extracted));
+  options.front = options.extracted / garment.front.photo_file;
+  if (garment.back) options.back = options.extracted / garment.back->photo_file;
+  if (options.id.empty()) options.id = garment.id;
+  if (options.title.empty()) options.title = garment.title;
+  if (options.length_cm == 0) options.length_cm = garment.length * 100;
+  options.kind = GarmentKindName(garment.kind);
+  statement.annotation_json = AnnotationOf(garment);
+  return Status();
+}
+
+Status AddPhoto(GarmentSide side, const fs::path& path, GarmentUploadStatement& statement,
+                std::vector<std::string>& photos) {
+  FR_ASSIGN_OR_RETURN(std::string bytes, ReadFile(path, static_cast<size_t>(kMaxPhotoSize)));
+  if (bytes.empty()) return InvalidArgument("FILE_EMPTY", path.string() + ": the file is empty");
+  statement.photos.push_back({side, std::ssize(bytes), Blake2b(bytes)});
+  photos.push_back(std::move(bytes));
+  return Status();
+}
+
+Status MakeStatement(PublishOptions options, GarmentUploadStatement& statement, std::vector<std::string>& photos) {
+  if (!options.extracted.empty()) FR_RETURN_IF_ERROR(FillFromExtracted(options, statement));
+  if (!options.annotation.empty()) {
+    FR_ASSIGN_OR_RETURN(statement.annotation_json, ReadFile(options.annotation, kMaxAnnotationSize));
+  }
+  const std::optional<GarmentKind> kind = GarmentKindFromName(options.kind);
+  if (!kind) {
+    return InvalidArgument("KIND_UNKNOWN",
+                           options.kind + ": expected tshirt, long_sleeve, one_piece, skirt, pants or shorts");
+  }
+  if (!IsResourceId(options.id)) {
+    return InvalidArgument("ID_INVALID", "state the garment's id with --id: 1 to 63 of a-z, 0-9 and -");
+  }
+  if (!(options.length_cm > 0)) {
+    return InvalidArgument("LENGTH_MISSING", "state the garment's length with --length-cm; the scale comes from it");
+  }
+  if (options.front.empty()) return InvalidArgument("FRONT_MISSING", "state the front photograph with --front");
+  statement.id = options.id;
+  statement.title = options.title.empty() ? options.id : options.title;
+  statement.kind = *kind;
+  statement.length = options.length_cm / 100;
+  FR_RETURN_IF_ERROR(AddPhoto(GarmentSide::kFront, options.front, statement, photos));
+  if (!options.back.empty()) FR_RETURN_IF_ERROR(AddPhoto(GarmentSide::kBack, options.back, statement, photos));
+  return Status();
+}
+
+Status Publish(const PublishOptions& options) {
+  GarmentUploadStatement statement;
+  std::vector<std::string> photos;
+  FR_RETURN_IF_ERROR(MakeStatement(options, statement, photos));
+  remote::ShopClient client(options.server);
+  const Result<GarmentRecord> record = [&] {
+    ProgressBar bar;
+    return client.Publish(statement, {photos.begin(), photos.end()}, bar.sink());
+  }();
+  FR_RETURN_IF_ERROR(record.status());
+  if (options.json) {
+    std::cout << GarmentRecordToJson(*record);
+  } else {
+    PrintGarment(*record, std::cout);
+  }
+  return Status();
+}
+
+}  // namespace
+
+void AddPublishCommand(CLI::App& app, int& exit_code) {
+  CLI::App* command =
+      app.add_subcommand("publish", "Sends photographs to the server, which extracts and publishes the garment");
+  auto options = std::make_shared<PublishOptions>();
+  command->add_option("--front", options->front, "Front photograph: JPEG, PNG or WebP");
+  command->add_option("--back", options->back, "Back photograph; without it the front serves for both");
+  command->add_option("--kind", options->kind, "tshirt, long_sleeve, …")->capture_default_str();
+  command->add_option("--length-cm", options->length_cm, "From the highest shoulder point to the hem, laid flat");
+  command->add_option("--id", options->id, "The garment's id: a-z, 0-9 and -");
+  command->add_option("--title", options->title, "For people; the id if not given");
+  command->add_option("--annotation", options->annotation, "JSON of points set by hand, instead of detected ones");
+  command->add_option("--extracted", options->extracted,
+                      "Folder that `extract` wrote: photographs, kind, length and points are taken from it");
+  command->add_option(kServerOption, options->server, "Address of the shop")
+      ->envname(kServerVariable)
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "Print the published garment as JSON");
+  command->callback(
+      [options, &exit_code] { exit_code = ReportAndExitCode("shop_catalog publish", Publish(*options)); });
+}
+
+}  // namespace fitroom::shop_catalog
