@@ -8,6 +8,9 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "fit_client " FITROOM_VERSION);
   app.require_subcommand(1);
   int exit_code = 0;
+  fitroom::fit_client::AddBodiesCommand(app, exit_code);
+  fitroom::fit_client::AddGarmentsCommand(app, exit_code);
+  fitroom::fit_client::AddPullCommand(app, exit_code);
   fitroom::fit_client::AddDrapeCommand(app, exit_code);
   fitroom::fit_client::AddFitCommand(app, exit_code);
   try {

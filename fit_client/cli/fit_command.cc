@@ -2,11 +2,13 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "common/base/executor.h"
 #include "common/base/exit_code.h"
 #include "common/base/progress.h"
 #include "common/base/thread_count.h"
+#include "fit_client/cache/cache.h"
 #include "fit_client/cli/commands.h"
 #include "fit_client/fitting/fit_garment.h"
 #include "fit_client/fitting/fit_inputs.h"
@@ -30,10 +32,22 @@ struct FitFlags {
 
 Result<BodyInput> LoadBody(const FitFlags& flags) {
   if (!flags.scan.empty()) return LoadScan(flags.scan);
-  return NotFound("BODY_NOT_PULLED", "no body; name a scan file with --scan");
+  if (flags.body.empty())
+    return InvalidArgument("BODY_MISSING", "name a pulled body with --body or a file with --scan");
+  FR_ASSIGN_OR_RETURN(const ScanRecord record, FindCachedScan(flags.body));
+  FR_ASSIGN_OR_RETURN(Body body, LoadCachedBody(flags.body));
+  return BodyInput{ToString(record.name), std::move(body), record.frame.reasons};
 }
 
-Result<GarmentInput> LoadNamedGarment(const FitFlags& flags) { return LoadGarment(flags.garment); }
+// A folder on disk comes first; what is none is the name of a pulled garment.
+Result<GarmentInput> LoadNamedGarment(const FitFlags& flags) {
+  std::error_code error;
+  if (std::filesystem::is_directory(flags.garment, error) || !GarmentIdFromUser(flags.garment).ok()) {
+    return LoadGarment(flags.garment);
+  }
+  FR_ASSIGN_OR_RETURN(const std::filesystem::path folder, CachedGarmentFolder(flags.garment));
+  return LoadGarment(folder);
+}
 
 Status RunFit(const FitFlags& flags) {
   Stopwatch stopwatch;

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "common/base/progress.h"
+#include "common/base/status.h"
 #include "common/codec/hash.h"
 
 namespace fitroom::fit_client {
