@@ -52,7 +52,7 @@ class DrapeRun {
  private:
   Status Merge();
   Status LetHang();
-  void Settle(ClothSolver& solver, ClothState& state);
+  void Relax(ClothSolver& solver, ClothState& state);
   void Conclude();
 
   // Says whether the cloth is at rest, from how far particles went in a sixtieth of a second; fills the report.
@@ -266,7 +266,7 @@ bool DrapeRun::IsAtRest(const std::vector<Eigen::Vector3d>& before, const std::v
 }
 
 // Lets stretch and creases of the start positions go before friction holds them.
-void DrapeRun::Settle(ClothSolver& solver, ClothState& state) {
+void DrapeRun::Relax(ClothSolver& solver, ClothState& state) {
   MotionOptions motion;
   motion.time_step = kMergingStep;
   motion.gravity.setZero();
@@ -274,12 +274,12 @@ void DrapeRun::Settle(ClothSolver& solver, ClothState& state) {
   motion.friction_coefficient = options_.stitching_friction_coefficient;
   motion.contact_offset = options_.contact_offset;
   solver.SetMotion(motion);
-  for (int done = 0; done < options_.settling_substeps; done += kOffsetInterval) {
-    solver.Advance(state, std::min(kOffsetInterval, options_.settling_substeps - done), {}, 0.0);
+  for (int done = 0; done < options_.relaxing_substeps; done += 4 * kMergingCheckInterval) {
+    solver.Advance(state, std::min(4 * kMergingCheckInterval, options_.relaxing_substeps - done), {}, 0.0);
     solver.RaiseOffsets(state, options_.sample_clearance);
   }
-  report_.settling_substeps = options_.settling_substeps;
-  substep_ += options_.settling_substeps;
+  report_.relaxing_substeps = options_.relaxing_substeps;
+  substep_ += options_.relaxing_substeps;
 }
 
 Status DrapeRun::LetHang() {
@@ -292,7 +292,7 @@ Status DrapeRun::LetHang() {
   FR_ASSIGN_OR_RETURN(const ClothModel model, ClothModel::Create(mesh_, options_.material, welds));
   ClothSolver solver(model, body_, executor_);
   ClothState state = solver.MakeState(ParticlePositions(model));
-  Settle(solver, state);
+  Relax(solver, state);
   MotionOptions motion;
   motion.time_step = kFallingStep;
   motion.gravity = options_.gravity;

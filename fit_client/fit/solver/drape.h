@@ -64,7 +64,7 @@ struct DrapeOptions {
   int merging_substep_limit = 3000;
   // After sewing and before gravity: substeps of 0.5 ms in which cloth that starts stretched or creased shrinks onto
   // the body, strongly damped and at the stitching friction, so that no stretch is frozen in by friction. 0: none.
-  int settling_substeps = 0;
+  int relaxing_substeps = 0;
   int draping_substep_limit = 12000;
 
   double rest_speed = 0.018;               // 0.03 cm per 1/60 s (unit: m/s).
@@ -84,7 +84,7 @@ struct DrapeReport {
   std::string finishing_reason;  // A sentence for a person; names gap and place where a seam does not close.
 
   int merging_substeps = 0;
-  int settling_substeps = 0;
+  int relaxing_substeps = 0;
   int draping_substeps = 0;
   double simulated_seconds = 0.0;  // In which gravity acted.
 

@@ -22,7 +22,7 @@ inline DrapeOptions JerseyDrapeOptions() {
   DrapeOptions options;
   options.material.stretch_stiffness = 200.0;
   options.friction_coefficient = 0.5;
-  options.settling_substeps = 100;
+  options.relaxing_substeps = 100;
   return options;
 }
 
