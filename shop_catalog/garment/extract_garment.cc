@@ -91,7 +91,8 @@ void AddFiles(std::string_view photo_bytes, ViewExtraction& extraction, std::vec
   const int edge = std::max(2, static_cast<int>(std::lround(extraction.length_px / 260.0)));
   files.push_back({view.photo_file, std::string(photo_bytes)});
   files.push_back({view.mask_file, EncodePng(extraction.mask)});
-  files.push_back({view.texture_file, EncodePng(CarryColoursOn(extraction.photo, view.outline, edge))});
+  files.push_back(
+      {view.texture_file, EncodePng(CarryColoursOn(extraction.photo, extraction.mask, view.outline, edge))});
 }
 
 Result<GarmentExtraction> ExtractOrThrow(const ExtractionRequest& request) {
