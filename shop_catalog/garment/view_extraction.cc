@@ -62,11 +62,12 @@ struct Silhouette {
   std::string source;
 };
 
-double FramePartOf(const Polygon& outline, cv::Size size) {
+// Part of the outline that lies within `margin` of the frame (unit: pixel).
+double FramePartOf(const Polygon& outline, cv::Size size, double margin) {
   double on_frame = 0.0;
   for (const Eigen::Vector2d& p : outline) {
     const double to_frame = std::min({p.x(), p.y(), size.width - p.x(), size.height - p.y()});
-    if (to_frame < 2.5) on_frame += 1.0;
+    if (to_frame < margin) on_frame += 1.0;
   }
   return outline.empty() ? 0.0 : on_frame / static_cast<double>(outline.size());
 }
@@ -123,6 +124,17 @@ Silhouette FromSegmentation(const cv::Mat& rgb) {
   return best;
 }
 
+Status Cropped() {
+  return FailedPrecondition("GARMENT_CROPPED",
+                            "the garment reaches the edge of the photograph; give one that shows all of it");
+}
+
+// A garment that is cut off by the frame is taken for background there, and the methods come to different ends; what is
+// found of it then runs along the strip that GrabCut was told is background.
+bool RunsAlongFrame(const Silhouette& silhouette, cv::Size size) {
+  return FramePartOf(silhouette.outline, size, 0.035 * std::min(size.width, size.height)) > 0.04;
+}
+
 Status CheckSilhouette(const Silhouette& silhouette, cv::Size size) {
   const double area = silhouette.outline.empty() ? 0.0 : SignedArea(silhouette.outline);
   if (area < 0.02 * size.width * size.height) {
@@ -130,10 +142,8 @@ Status CheckSilhouette(const Silhouette& silhouette, cv::Size size) {
                               "no garment was found; photograph it flat on a plain ground of another colour, or give "
                               "an image with a transparent background");
   }
-  if (silhouette.frame_part > kMaxOnFrame) {
-    return FailedPrecondition("GARMENT_CROPPED",
-                              "the garment reaches the edge of the photograph; give one that shows all of it");
-  }
+  if (silhouette.frame_part > kMaxOnFrame) return Cropped();
+  if (silhouette.confidence < kLeastMaskConfidence && RunsAlongFrame(silhouette, size)) return Cropped();
   return {};
 }
 
@@ -214,7 +224,7 @@ Result<ViewExtraction> ExtractViewOrThrow(std::string_view photo_bytes, GarmentS
   FR_ASSIGN_OR_RETURN(WorkingImage working, LoadWorkingImage(photo_bytes));
   const cv::Mat rgb = ViewOf(working.rgb);
   Silhouette silhouette = working.alpha.empty() ? FromSegmentation(rgb) : FromAlpha(working.alpha);
-  silhouette.frame_part = FramePartOf(silhouette.outline, rgb.size());
+  silhouette.frame_part = FramePartOf(silhouette.outline, rgb.size(), 2.5);
   FR_RETURN_IF_ERROR(CheckSilhouette(silhouette, rgb.size()));
 
   ViewExtraction extraction;
