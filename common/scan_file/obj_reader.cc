@@ -38,6 +38,8 @@ class ObjReader {
   bool ReadIndex(int64_t seen, int64_t total, int32_t& index);
   Status AddPolygon(const char* line);
   Status OpenObject(const char* line, std::string name);
+  void NoteCount(std::string_view remark);
+  Status CheckCounts() const;
   Status SkipLine(const char* line, bool is_data);
   void SkipSeparators();
 
@@ -48,6 +50,9 @@ class ObjReader {
   ByteFinder line_ends_{source_.line_end()};
   int64_t vertex_total_ = 0;  // In the whole file: a face may name a vertex that comes later.
   int64_t texture_total_ = 0;
+  int64_t face_count_ = 0;
+  int64_t told_vertex_count_ = 0;  // By remarks at the head, as some exporters write them; 0 where there are none.
+  int64_t told_face_count_ = 0;
   bool has_object_ = false;
   int32_t object_first_triangle_ = 0;
   std::vector<Corner> corners_;  // Of the current polygon.
@@ -57,7 +62,27 @@ Result<RawScan> ObjReader::Read() {
   FR_RETURN_IF_ERROR(CountLines());
   while ((p_ = SkipSpace(p_, end_)) < end_) FR_RETURN_IF_ERROR(ReadLine());
   if (has_object_) builder_.EndObject();
+  FR_RETURN_IF_ERROR(CheckCounts());
   return builder_.Finish(ScanFormat::kObj);
+}
+
+// Notes "Vertices: 8" or "Faces: 12", the only counts that an OBJ may hold.
+void ObjReader::NoteCount(std::string_view remark) {
+  const auto count_behind = [&](std::string_view word) -> int64_t {
+    if (!remark.starts_with(word)) return 0;
+    return ParseInt(remark.data() + word.size(), remark.data() + remark.size()).value;
+  };
+  told_vertex_count_ = std::max(told_vertex_count_, count_behind("Vertices:"));
+  told_face_count_ = std::max(told_face_count_, count_behind("Faces:"));
+}
+
+Status ObjReader::CheckCounts() const {
+  if (builder_.vertex_count() >= told_vertex_count_ && face_count_ >= told_face_count_) return Status();
+  return source_.ErrorAt(end_, "TRUNCATED_FILE",
+                         "the head tells of " + std::to_string(told_vertex_count_) + " vertices and " +
+                             std::to_string(told_face_count_) + " faces, but " +
+                             std::to_string(builder_.vertex_count()) + " and " + std::to_string(face_count_) +
+                             " are there: the file is cut short, export it again");
 }
 
 // Counts vertices and faces, so that the arrays are made once and in the right size.
@@ -114,7 +139,10 @@ Status ObjReader::ReadLine() {
   const std::string_view text(rest, static_cast<size_t>(rest_end - rest));
   if (word == "vn") builder_.SetHasNormals();
   if (word == "o" || word == "g") return OpenObject(line, CleanText(text));
-  if (*line == '#' && builder_.vertex_count() == 0 && !text.empty()) builder_.AddComment(text);
+  if (*line == '#' && builder_.vertex_count() == 0 && !text.empty()) {
+    builder_.AddComment(text);
+    NoteCount(text);
+  }
   return Status();
 }
 
@@ -213,6 +241,7 @@ Status ObjReader::AddPolygon(const char* line) {
   if (corners_.size() < 3 || corners_.size() == kMaxPolygonCorners) {
     return source_.ErrorAt(line, "MALFORMED_FACE", "a face needs 3 to 65534 corners; " + std::string(kReexport));
   }
+  ++face_count_;
   const int64_t first = builder_.triangle_count();
   const auto count = static_cast<int64_t>(corners_.size()) - 2;
   FR_RETURN_IF_ERROR(builder_.AppendTriangles(line, count));

@@ -17,8 +17,10 @@ void AppendNumber(T number, std::string& text) {
 
 std::string FormatObj(const TriangleMesh& mesh, std::string_view comment) {
   std::string text;
-  text.reserve(mesh.vertices.size() * 64 + mesh.triangles.size() * 24 + comment.size() + 8);
+  text.reserve(mesh.vertices.size() * 64 + mesh.triangles.size() * 24 + comment.size() + 80);
   if (!comment.empty()) text.append("# ").append(comment) += '\n';
+  text += "# Vertices: " + std::to_string(mesh.vertices.size()) + "\n";
+  text += "# Faces: " + std::to_string(mesh.triangles.size()) + "\n";
   for (const Eigen::Vector3d& vertex : mesh.vertices) {
     text += 'v';
     for (int axis = 0; axis < 3; ++axis) AppendNumber(vertex[axis], text);

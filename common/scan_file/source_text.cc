@@ -32,7 +32,9 @@ size_t Utf8SequenceLength(std::string_view text) {
 }  // namespace
 
 SourceText::SourceText(std::string_view text, std::string_view file_name) : text_(text), file_name_(file_name) {
-  if (text.find('\n') == std::string_view::npos) line_end_ = '\r';
+  const size_t first_end = text.find_first_of("\r\n");
+  if (first_end == std::string_view::npos || text[first_end] == '\n') return;
+  if (!text.substr(first_end + 1).starts_with('\n')) line_end_ = '\r';
 }
 
 int64_t SourceText::LineOf(const char* position) const { return 1 + std::count(begin(), position, line_end_); }

@@ -17,7 +17,7 @@ class SourceText {
   std::string_view text() const { return text_; }
   const char* begin() const { return text_.data(); }
   const char* end() const { return text_.data() + text_.size(); }
-  // The byte that ends a line: LF, or CR in a file without any LF.
+  // The byte that ends a line: LF, or CR in a file whose first line ends in CR alone.
   char line_end() const { return line_end_; }
 
   // From `position` on the file is binary: errors there name the byte instead of the line.

@@ -72,6 +72,7 @@ TEST(Ase, AnyLineEndAndEncodingGivesTheSameMesh) {
   const std::string with_cr = Replace(text, "\r\n", "\r");
   ExpectSameMesh(ReadOrFail(Replace(text, "\r\n", "\n")), mesh);
   ExpectSameMesh(ReadOrFail(with_cr), mesh);
+  ExpectSameMesh(ReadOrFail(with_cr + "\n"), mesh);
   ExpectSameMesh(ReadOrFail("\xEF\xBB\xBF" + text), mesh);
   ExpectSameMesh(ReadOrFail(Replace(text, "\t", " ")), mesh);
   ExpectSameMesh(ReadOrFail(ToUtf16(text, /*big_endian=*/false)), mesh);

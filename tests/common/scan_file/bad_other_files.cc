@@ -72,7 +72,6 @@ std::vector<BadFile> MakeBadObjFiles() {
                    }});
   const std::string good = FormatObj(MakeSphere(12, 17));
   for (size_t size = 1000; size < good.size(); size += 1024) {
-    if (good[size - 1] == '\n') continue;  // Cut at the end of a line: not to be told from a whole file.
     files.push_back({"obj_cut_at_byte_" + std::to_string(size),
                      {"TRUNCATED_FILE", "MALFORMED_NUMBER", "MALFORMED_FACE", "NO_TRIANGLES"},
                      [good, size] { return good.substr(0, size); }});
@@ -158,7 +157,7 @@ std::vector<BadFile> MakeBadPackedFiles() {
   add("zstd_of_a_picture", {"UNKNOWN_FORMAT"}, [] { return ZstdCompress("\x89PNG\r\n" + RandomBytes(4000, 12)); });
   add("zstd_in_zstd", {"UNKNOWN_FORMAT"}, [=] { return ZstdCompress(good); });
   add("zstd_of_a_cut_scan", {"UNBALANCED_BLOCK"}, [] { return ZstdCompress(GoodAse().substr(0, 50000)); });
-  add("zstd_bomb_of_256_mib", {"ZSTD_TOO_LARGE"}, [] { return ZstdCompress(std::string(size_t{256} << 20, '\0'), 1); });
+  add("zstd_bomb_of_128_mib", {"ZSTD_TOO_LARGE"}, [] { return ZstdCompress(std::string(size_t{128} << 20, '\0'), 1); });
   add("zstd_bomb_of_blanks", {"ZSTD_TOO_LARGE"},
       [] { return ZstdCompress("*3DSMAX_ASCIIEXPORT 200\n" + std::string(size_t{64} << 20, ' '), 3); });
   // Heads made by hand: magic, descriptor, window or content size, then nothing true.

@@ -31,7 +31,7 @@ TEST(Obj, ComesBackAsItWasWritten) {
     EXPECT_EQ(scan.format, ScanFormat::kObj);
     EXPECT_EQ(scan.mesh.vertices, mesh.vertices);
     EXPECT_EQ(scan.mesh.triangles, mesh.triangles);
-    EXPECT_EQ(scan.comments, std::vector<std::string>{"a sphere"});
+    EXPECT_EQ(scan.comments.front(), "a sphere");
   }
 }
 
@@ -45,6 +45,15 @@ TEST(Obj, FansPolygonsAndCountsBackwards) {
   ASSERT_EQ(scan.texture_triangles.size(), 3U);
   EXPECT_EQ(scan.texture_triangles[1], Eigen::Vector3i(0, 2, 3));
   EXPECT_EQ(scan.texture_triangles[2], Eigen::Vector3i(-1, -1, -1));
+}
+
+// The remarks at the head tell a file that was cut anywhere, also at the end of a line.
+TEST(Obj, FindsEveryTruncationByTheCountsAtItsHead) {
+  const std::string text = FormatObj(MakeSphere(4, 5));
+  EXPECT_TRUE(ReadScan(text, "whole.obj").ok());
+  for (size_t size = text.find('v'); size < text.size(); ++size) {
+    EXPECT_FALSE(ReadScan(text.substr(0, size), "cut.obj").ok()) << size;
+  }
 }
 
 TEST(Obj, NamesObjectsAndGroups) {
