@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -9,7 +10,9 @@
 #include <gtest/gtest.h>
 
 #include "fit_client/fit/panels/measure.h"
+#include "fit_client/fit/panels/mesh_pattern.h"
 #include "fit_client/fit/panels/polyline.h"
+#include "fit_client/fit/panels/topology.h"
 #include "tests/fit_client/panels/drawn_tshirt.h"
 #include "tests/support/sample_garment.h"
 
@@ -195,6 +198,51 @@ TEST(ReconcileViews, TakesTheStraightLinedSampleAsItIs) {
   EXPECT_NEAR(measures.bust_girth, 0.96, 0.005);
   EXPECT_NEAR(measures.hem_girth, 0.96, 0.005);
   EXPECT_NEAR(measures.shoulder_width, 0.42, 0.01);
+}
+
+TEST(ReconcileViews, TakesLongSleevesTheSameWay) {
+  DrawnTShirt shirt;
+  shirt.sleeve_top = {0.62, -0.42};
+  shirt.sleeve_bottom = {0.55, -0.50};
+  Garment garment =
+      DrawGarment(shirt, {.tilt_deg = 3, .crumple = 0.001, .sleeve_turn_deg = 8}, {.sleeve_turn_deg = -5});
+  garment.kind = GarmentKind::kLongSleeve;
+  const GarmentPattern pattern = Reconciled(garment);
+  ExpectMeasures(MeasurePattern(pattern), MeasuresOf(shirt), 0.005);
+  const Result<ClothMesh> mesh = MeshPattern(pattern, 0.01);
+  ASSERT_TRUE(mesh.ok()) << mesh.status().ToString();
+  EXPECT_EQ(ComputeEulerCharacteristic(*mesh), -2);
+}
+
+TEST(ReconcileViews, NeverCrashesOnPointsThatWander) {
+  // Points thrown about by up to a few decimetres: a pattern that can be cut, or an error with a reason.
+  int good_count = 0, refused_count = 0;
+  for (unsigned seed = 1; seed <= 150; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    std::normal_distribution<double> step(0.0, std::pow(10.0, 0.5 + 2.0 * seed / 150.0));
+    Garment garment = DrawGarment(DrawnTShirt(), {}, {.tilt_deg = 4});
+    for (GarmentView* view : {&garment.front, &*garment.back}) {
+      for (OutlinePoint& point : view->points) point.pixel += Eigen::Vector2d(step(random), step(random));
+      if (seed % 3 != 0) continue;
+      for (Eigen::Vector2d& p : view->outline) p += 0.2 * Eigen::Vector2d(step(random), step(random));
+    }
+    const Result<GarmentPattern> pattern = ReconcileViews(garment);
+    if (!pattern.ok()) {
+      EXPECT_FALSE(pattern.status().reason().empty());
+      ++refused_count;
+      continue;
+    }
+    const Result<ClothMesh> mesh = MeshPattern(*pattern, 0.02);
+    EXPECT_TRUE(mesh.ok() || !mesh.status().reason().empty());
+    if (mesh.ok()) {
+      EXPECT_EQ(ComputeEulerCharacteristic(*mesh), -2);
+      for (const Eigen::Vector2d& uv : mesh->texture_coordinates) EXPECT_TRUE(uv.allFinite());
+    }
+    ++good_count;
+  }
+  EXPECT_GT(good_count, 20);
+  EXPECT_GT(refused_count, 20);
 }
 
 TEST(ReconcileViews, RefusesWithAReason) {
