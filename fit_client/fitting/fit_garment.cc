@@ -30,6 +30,18 @@ Eigen::Vector2d TorsoAxis(const TriangleMesh& body, double height) {
   return {0.0, front > back ? 0.5 * (front + back) : 0.0};
 }
 
+// The garment's own bust line, as shops measure it, lies just under its underarms: above, the cloth is open to the
+// sleeves.
+double HighestClosedHeight(const Fit& fit) {
+  constexpr double kBelowUnderarm = 0.015;  // (unit: metre)
+  double height = 1e9;
+  for (const NamedParticle& named : fit.cloth.named_particles) {
+    if (named.name.find("/underarm_") == std::string::npos) continue;
+    height = std::min(height, fit.stages.final[static_cast<size_t>(named.particle)].y() - kBelowUnderarm);
+  }
+  return height;
+}
+
 EaseAtPlace MeasureEase(const std::string& place, const GirthMeasurement& girth, const Fit& fit) {
   EaseAtPlace ease;
   ease.place = place;
@@ -39,8 +51,9 @@ EaseAtPlace MeasureEase(const std::string& place, const GirthMeasurement& girth,
     ease.note = "the scan gave no " + place + " girth";
     return ease;
   }
+  const double height = std::min(girth.height, HighestClosedHeight(fit));
   const GarmentGirth garment =
-      MeasureDrapedGirth(fit.cloth, fit.stages.final, girth.height, TorsoAxis(fit.body_surface, girth.height));
+      MeasureDrapedGirth(fit.cloth, fit.stages.final, height, TorsoAxis(fit.body_surface, height));
   ease.measured = garment.found;
   ease.garment_girth = garment.girth;
   if (!garment.found) ease.note = "the garment does not reach round the " + place;
