@@ -22,7 +22,7 @@ struct DisplayBody {
 };
 
 // How many triangles a picture of the body needs. Below 30,000 the fingers and the outline turn angular at 1200 rows.
-inline constexpr int kDisplayBodyTriangleCount = 70000;
+inline constexpr int kDisplayBodyTriangleCount = 50000;
 
 // Returns `body` with at most about `triangle_count` triangles (a mesh that has fewer is kept as it is); the surface
 // moves by less than 0.5 mm, and where that does not suffice the count is exceeded. Normals are those of the full mesh.
