@@ -30,7 +30,8 @@ constexpr double kMaxScaleError = 0.15;
 // Short lengths differ by more for no reason: the difference must also be this long (unit: metre).
 constexpr double kAsymmetry = 0.15;
 constexpr double kAsymmetryLength = 0.03;
-// Hems of front and back that differ by more than this are meant to (unit: metre).
+// Hems of front and back that differ by more than this are meant to; by more than twice this if one bends upwards and
+// the other downwards (unit: metre).
 constexpr double kOwnHem = 0.03;
 constexpr double kLeastOpening = 0.04;  // Flat width; a child's arm (unit: metre).
 // The back neck of a garment shown from the front only (share of the front's depth; at most, unit: metre).
@@ -106,13 +107,18 @@ Polyline OwnSection(const SectionLayout& section, const std::vector<int>& knots,
 }
 
 // Gives both panels the mean hem where they differ little: one photograph's hem hangs where the other's is pushed up,
-// and a fold or the other panel's hem peeps out below. A hem that is cut lower behind differs by more.
+// and a fold or the other panel's hem peeps out below. A hem that is cut lower behind differs by more, and does not
+// bend upwards in front.
 void ShareHem(size_t hem, GarmentPattern& pattern) {
   Polyline& front = pattern.front.sections[hem].points;
   Polyline& back = pattern.back.sections[hem].points;
-  double difference = 0.0;
-  for (size_t i = 0; i < front.size(); ++i) difference = std::max(difference, (front[i] - back[i]).norm());
-  if (difference > kOwnHem) return;
+  double difference = 0.0, front_sag = 0.0, back_sag = 0.0;
+  for (size_t i = 0; i < front.size(); ++i) {
+    difference = std::max(difference, (front[i] - back[i]).norm());
+    front_sag += front.front().y() - front[i].y();
+    back_sag += back.front().y() - back[i].y();
+  }
+  if (difference > (front_sag * back_sag < 0.0 ? 2.0 : 1.0) * kOwnHem) return;
   front = Mean(front, back);
   back = front;
 }

@@ -39,13 +39,16 @@ std::vector<Stroke> LeftHalf(const DrawnTShirt& s, double drop) {
     const double c = t * (t - waist_t) / (1.0 - waist_t);
     return {a * s.underarm.x() + b * s.half_waist + c * s.half_hem, (1.0 - t) * s.underarm.y() + t * hem.y()};
   };
+  const Curve hem_line = [=](double t) -> Eigen::Vector2d {
+    return {(1.0 - t) * hem.x(), hem.y() - s.hem_sag * t * (2.0 - t)};
+  };
   return {{neckline, 0.15, {{0.0, "neck_drop"}, {1.0, "P2"}}},
           {Line(neck, s.shoulder_tip), 0.14, {{0.08, "e1"}, {0.5, "e2"}, {1.0, "e3"}}},
           {Line(s.shoulder_tip, s.sleeve_top), 0.2, {{1.0, "e4"}}},
           {Line(s.sleeve_top, s.sleeve_bottom), 0.13, {{1.0, "sleeve_bottom_L"}}},
           {Line(s.sleeve_bottom, s.underarm), 0.07, {{1.0, "underarm_L"}}},
           {side, 0.45, {{waist_t, "waist_L"}, {0.75, "hip_L"}, {1.0, "hem_L"}}},
-          {Line(hem, {0.0, -s.length}), 0.26, {{1.0, "hem_centre"}}}};
+          {hem_line, 0.26, {{1.0, "hem_centre"}}}};
 }
 
 // Turns a sleeve about the shoulder, the armhole line's neighbourhood bent smoothly.

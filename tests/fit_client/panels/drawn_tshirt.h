@@ -18,6 +18,7 @@ struct DrawnTShirt {
   Eigen::Vector2d underarm{0.25, -0.235};
   double half_waist = 0.24;  // At 0.40 below Cp; the side seam is a smooth curve through it.
   double half_hem = 0.255;
+  double hem_sag = 0.0;             // How much lower the hem's middle lies than its corners.
   double right_sleeve_share = 1.0;  // The wearer's right sleeve's length as a share of the left one's.
 };
 

@@ -164,6 +164,25 @@ TEST(ReconcileViews, AveragesAnAsymmetryThatOnePhotographShows) {
   EXPECT_FALSE(Reconciled(garment).asymmetric_by_design);
 }
 
+TEST(ReconcileViews, LevelsHemsThatBendOppositeWaysAndKeepsATail) {
+  DrawnTShirt hanging, pushed_up;
+  hanging.hem_sag = 0.017;
+  pushed_up.hem_sag = -0.017;
+  Garment garment = DrawGarment(hanging, {}, {});
+  garment.back = DrawView(pushed_up, GarmentSide::kBack, {});
+  const GarmentPattern level = Reconciled(garment);
+  EXPECT_EQ(FindSection(level.front, "hem")->points, FindSection(level.back, "hem")->points);
+  for (const Eigen::Vector2d& p : FindSection(level.front, "hem")->points) EXPECT_NEAR(p.y(), -0.68, 0.001);
+
+  DrawnTShirt tailed;
+  tailed.hem_sag = 0.06;
+  garment = DrawGarment(DrawnTShirt(), {}, {});
+  garment.back = DrawView(tailed, GarmentSide::kBack, {});
+  const GarmentPattern tail = Reconciled(garment);
+  const double drop = FindPatternPoint(tail.front, "hem_centre")->y() - FindPatternPoint(tail.back, "hem_centre")->y();
+  EXPECT_NEAR(drop, 0.06, 0.003);
+}
+
 TEST(ReconcileViews, MakesABackOfTheFrontWhereNoneWasTaken) {
   Garment garment = DrawGarment(DrawnTShirt(), {}, {});
   garment.back.reset();
