@@ -167,6 +167,9 @@ void AddBadBodies(PlyFiles& files) {
   for (const int32_t index : {static_cast<int32_t>(Mesh().vertices.size()), -1, 2147483647, -2147483647}) {
     files.AddBody("corner_is_" + std::to_string(index), {"INDEX_OUT_OF_RANGE"}, face_5 + 5, Raw(index));
   }
+}
+
+void AddBadRows(PlyFiles& files) {
   const auto text = [&](const char* name, std::vector<std::string_view> reasons, const char* row) {
     files.Add(std::string("row_") + name, std::move(reasons), [row] {
       return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
@@ -185,6 +188,9 @@ void AddBadBodies(PlyFiles& files) {
   text("length_is_half", {"MALFORMED_PLY"}, "2.5 0 1 2");
   text("length_is_two", {"MALFORMED_FACE"}, "2 0 1");
   text("degenerate", {"NO_TRIANGLES"}, "3 0 1 1");
+}
+
+void AddBombs(PlyFiles& files) {
   files.Add("binary_list_of_4_gib", {"MALFORMED_PLY", "INVALID_COUNT"}, [] {
     return "ply\nformat binary_little_endian 1.0\nelement junk 1\nproperty list uint double values\nend_header\n" +
            Raw(uint32_t{4294967295});
@@ -258,6 +264,8 @@ std::vector<BadFile> MakeBadPlyFiles() {
   AddTruncations(files);
   AddBadHeads(files);
   AddBadBodies(files);
+  AddBadRows(files);
+  AddBombs(files);
   AddBadGridsAndStrips(files);
   return files.Take();
 }
