@@ -30,7 +30,7 @@ Palette PaletteOf(const TShirtPhotographOptions& options) {
                0.065};
   } else {
     palette = {Rgb(44, 58, 96),
-               Rgb(226, 220, 208),
+               Rgb(122, 160, 178),
                Rgb(40, 52, 88),
                Rgb(120, 130, 160),
                Rgb(186, 52, 52),
@@ -163,7 +163,7 @@ void DrawPrint(const TShirtShape& shape, GarmentSide side, const TShirtPhotograp
       edge, [&palette](const Vector2d&) { return palette.cloth; }, palette.mottle);
   edge.push_back(edge.front());
   canvas.DrawSeams({edge}, 0.18, 0.35);
-  canvas.DrawStitches(Polygonal({{x + 0.4, y + 1.5}, {x + 8.6, y + 1.5}}), palette.second);
+  canvas.DrawStitches({{x + 0.4, y + 1.5}, {x + 8.6, y + 1.5}}, palette.second);
   canvas.FillInk(Rectangle(x - 0.1, y + 5.0, 1.1, 1.9), palette.ink);
 }
 

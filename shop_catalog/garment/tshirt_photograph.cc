@@ -77,8 +77,7 @@ Result<TShirtPhotograph> DrawTShirtPhotograph(GarmentSide side, const TShirtPhot
     const TShirtShape shape = MakeTShirtShape(options.measures);
     const uint64_t seed = 2 * options.seed + (side == GarmentSide::kFront ? 0 : 1);
     TShirtCanvas canvas(options.image_side, MakeLie(side, options), seed);
-    // White stripes need a ground that they differ from.
-    canvas.LayGround(options.design == TShirtDesign::kStriped ? Rgb(158, 151, 141) : Rgb(232, 229, 224));
+    canvas.LayGround(Rgb(232, 229, 224));
     canvas.CastShadow(shape.outline);
     canvas.SetClip(shape.outline);
     canvas.SetFolds(MakeFolds(shape, seed));
