@@ -33,11 +33,8 @@ struct Figure {
   Eigen::Vector3d ankle = Eigen::Vector3d::Zero();
 };
 
-// Heights of the reference figure at which its girths are shaped (unit: metre).
-inline constexpr double kHipHeight = 0.885;
-inline constexpr double kWaistHeight = 1.075;
-inline constexpr double kBustHeight = 1.225;
-inline constexpr double kNeckHeight = 1.43;
+// Returns the height of the breasts' most prominent level: large ones sag a little (unit: metre).
+double BustHeight(const FigureShape& shape);
 
 // Builds the figure of that shape.
 Figure BuildFigure(const FigureShape& shape);

@@ -21,15 +21,15 @@ const std::vector<HorizontalRow> kTorsoRows = {
 };
 
 void AddBust(const FigureShape& shape, Figure& figure) {
-  // Breasts grow faster than the rib cage that carries them, and sag a little where they are large.
+  // Breasts grow faster than the rib cage that carries them.
   const double size = 1.0 + 1.2 * (shape.bust - 1.0);
-  const double drop = 7.0 * (shape.bust - 1.0);  // (unit: centimetre)
+  const double level = BustHeight(shape) / kCm;  // (unit: centimetre)
   for (const double side : {1.0, -1.0}) {
     const double x = side * 7.5 * shape.bust;
-    figure.solid.Add(MakeEllipsoid(PointCm(x, 121.8 - drop, 7.6 * shape.bust), size * PointCm(6.2, 6.2, 5.7)), 0.032);
+    figure.solid.Add(MakeEllipsoid(PointCm(x, level, 7.6 * shape.bust), size * PointCm(6.2, 6.2, 5.7)), 0.032);
     // The slope from the collar bone to the breast.
     figure.solid.Add(MakeRoundCone(PointCm(x * 0.80, 130.5, 3.6 * shape.bust), 0.042,
-                                   PointCm(x * 0.95, 123.0 - drop, 7.2 * shape.bust), 0.046 * size),
+                                   PointCm(x * 0.95, level + 1.2, 7.2 * shape.bust), 0.046 * size),
                      0.05);
   }
 }
@@ -57,6 +57,8 @@ void AddShoulderGirdle(const FigureShape& shape, double breadth, Figure& figure)
 }
 
 }  // namespace
+
+double BustHeight(const FigureShape& shape) { return 1.218 - 0.07 * (shape.bust - 1.0); }
 
 void AddTorso(const FigureShape& shape, Figure& figure) {
   const double shoulder = 1.0 + 0.45 * (shape.bust - 1.0);

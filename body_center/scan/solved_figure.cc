@@ -18,7 +18,6 @@ struct Stretch {
   double low, high, step;
   bool smallest;
 };
-constexpr Stretch kBustStretch = {1.185, 1.25, 0.005, false};
 constexpr Stretch kWaistStretch = {1.02, 1.14, 0.005, true};
 constexpr Stretch kHipStretch = {0.83, 0.96, 0.005, false};
 constexpr Stretch kNeckStretch = {1.42, 1.46, 0.01, true};
@@ -32,11 +31,11 @@ GirthMeasurement FindGirth(const ImplicitSolid& solid, const Stretch& stretch) {
   return found;
 }
 
-BodyMeasurements Measure(const Figure& figure) {
+BodyMeasurements Measure(const Figure& figure, const FigureShape& shape) {
   const ImplicitSolid trunk = figure.solid.Without(ImplicitSolid::Region::kArm);
   BodyMeasurements measured;
   measured.stature = kReferenceStature;
-  measured.bust = FindGirth(trunk, kBustStretch);
+  measured.bust = {TorsoGirth(trunk, BustHeight(shape)), BustHeight(shape)};
   measured.waist = FindGirth(trunk, kWaistStretch);
   measured.hip = FindGirth(trunk, kHipStretch);
   measured.neck = FindGirth(trunk, kNeckStretch);
@@ -118,7 +117,7 @@ Result<SolvedFigure> SolveFigure(const BodySpecification& specification) {
   solved.shape = FirstShape(specification, solved.scale);
   for (int round = 0; round < kMaxRounds; ++round) {
     solved.figure = BuildFigure(solved.shape);
-    solved.measurements = Measure(solved.figure);
+    solved.measurements = Measure(solved.figure, solved.shape);
     double worst = 0.0;
     const auto correct = [&](double& factor, double measured, double asked) {
       worst = std::max(worst, std::abs(measured * solved.scale - asked));

@@ -18,8 +18,8 @@ struct SolvedFigure {
 };
 
 // Shapes the reference figure until the tape's girths at bust, waist, hip and neck are those asked for within 1 mm.
-// The waist is the smallest girth between bust and hip, the hip the largest between waist and crotch, the bust the
-// largest between armpit and lower breast. INVALID_ARGUMENT as ValidateBodySpecification() returns it, and
+// The waist is the smallest girth between bust and hip, the hip the largest between waist and crotch, the bust is
+// taken at the level of the breasts, without the arms. INVALID_ARGUMENT as ValidateBodySpecification() returns it, and
 // MEASUREMENTS_DO_NOT_GO_TOGETHER where no such figure is found.
 Result<SolvedFigure> SolveFigure(const BodySpecification& specification);
 
