@@ -1,5 +1,6 @@
 #include "body_center/scan/surface_nets.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -23,10 +24,11 @@ constexpr double kSteepest = 1.7;
 
 class SurfaceNets {
  public:
-  SurfaceNets(const ImplicitSolid& solid, double spacing) : solid_(solid), spacing_(spacing) {
+  SurfaceNets(const ImplicitSolid& solid, double spacing, int attempt) : solid_(solid), spacing_(spacing) {
     const Eigen::AlignedBox3d bounds = solid.Bounds();
     // The grid starts off the floor and off the middle plane: a corner exactly on the surface has no sign.
-    origin_ = Vector3d(bounds.min().x(), 0.0, bounds.min().z()) - spacing * Vector3d(4.37, 4.41, 4.29);
+    origin_ = Vector3d(bounds.min().x(), 0.0, bounds.min().z()) -
+              spacing * (Vector3d(4.37, 4.41, 4.29) + 0.13 * attempt * Vector3d(1, -1, 2));
     const Vector3d size = bounds.max() - origin_;
     for (int axis = 0; axis < 3; ++axis) {
       block_count_[axis] = static_cast<int>(std::ceil((size[axis] / spacing + 6.0) / kBlock));
@@ -308,11 +310,32 @@ class SurfaceNets {
   TriangleMesh mesh_;
 };
 
+// Says whether no edge is used twice in the same direction.
+bool IsManifold(const TriangleMesh& mesh) {
+  std::vector<uint64_t> edges;
+  edges.reserve(3 * mesh.triangles.size());
+  for (const Vector3i& triangle : mesh.triangles) {
+    for (int i = 0; i < 3; ++i) {
+      edges.push_back(static_cast<uint64_t>(triangle[i]) << 32 | static_cast<uint32_t>(triangle[(i + 1) % 3]));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  return std::adjacent_find(edges.begin(), edges.end()) == edges.end();
+}
+
 }  // namespace
 
 TriangleMesh PolygoniseSurface(const ImplicitSolid& solid, double spacing) {
   FR_CHECK(spacing > 1e-4);
-  return SurfaceNets(solid, spacing).Run();
+  // Where a saddle lies just so between two cells, four quadrilaterals share an edge. That depends on where the grid
+  // lies, and is rare: another grid is tried.
+  constexpr int kMaxAttempts = 6;
+  TriangleMesh mesh;
+  for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
+    mesh = SurfaceNets(solid, spacing, attempt).Run();
+    if (IsManifold(mesh)) break;
+  }
+  return mesh;
 }
 
 }  // namespace fitroom::body_center

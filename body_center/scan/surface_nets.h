@@ -15,7 +15,7 @@ namespace fitroom::body_center {
 //      |   o---|---o   |
 //      +-------+-------+
 //
-// Closed where the solid is closed and no thinner than the grid. Deterministic.
+// Closed, every edge in two triangles, where the solid is closed and no thinner than the grid. Deterministic.
 TriangleMesh PolygoniseSurface(const ImplicitSolid& solid, double spacing);
 
 }  // namespace fitroom::body_center

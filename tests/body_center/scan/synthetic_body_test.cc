@@ -41,12 +41,12 @@ TEST_P(SyntheticBody, IsClosedAndHasTheGirthsAndTheStatureAskedFor) {
   double waist = 1e9, hip = 0.0;
   for (double y = 1.00; y <= 1.14; y += 0.01) waist = std::min(waist, testing::TrunkGirth(mesh, y * scale));
   for (double y = 0.83; y <= 0.98; y += 0.01) hip = std::max(hip, testing::TrunkGirth(mesh, y * scale));
-  // Arms that hang close are part of the section at the bust: there is no loop to measure then.
+  // Arms that hang close, or are thick, are part of the section at the bust: there is no loop to measure then.
   const double bust_height = made->landmarks[BodyLandmark::kBustPointLeft].position.y();
   if (bust_height < armpit - 0.005) {
     EXPECT_NEAR(testing::TrunkGirth(mesh, bust_height), asked.bust, 0.005);
   } else {
-    EXPECT_LT(asked.arm_angle, 0.35);
+    EXPECT_TRUE(asked.arm_angle < 0.35 || asked.bust > 1.1);
   }
   EXPECT_NEAR(waist, asked.waist, 0.005);
   EXPECT_NEAR(hip, asked.hip, 0.005);
