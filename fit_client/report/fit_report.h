@@ -18,10 +18,10 @@ struct SeamGapSummary {
 
 // What of the garment ended inside the body. Depths are positive; zero when nothing is inside.
 struct PenetrationSummary {
-  int particle_count_inside = 0;         // More than 0.1 mm inside.
-  int triangle_sample_count = 0;         // Points looked at on the triangles, beside the particles.
-  int triangle_sample_count_inside = 0;  // More than 0.1 mm inside.
-  double deepest = 0.0;                  // (unit: metre)
+  int particle_count_inside = 0;  // By however little.
+  int triangle_sample_count = 0;  // Points looked at on the triangles, beside the particles.
+  int triangle_sample_count_inside = 0;
+  double deepest = 0.0;  // (unit: metre)
 };
 
 // Edge strain over the whole garment: 0.05 means 5 % longer than at rest.

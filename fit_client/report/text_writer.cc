@@ -13,8 +13,9 @@ constexpr size_t kColumns = 100;
 constexpr size_t kNameColumns = 16;  // Of the names on the left, indent included.
 
 // Limits that the text judges by; the method asks for them of every garment that is large enough.
-constexpr double kSeamGapLimit = 5e-4;  // (unit: metre)
-constexpr double kStrainLimit = 0.05;   // Of the 95th percentile.
+constexpr double kSeamGapLimit = 5e-4;      // (unit: metre)
+constexpr double kPenetrationLimit = 1e-4;  // (unit: metre)
+constexpr double kStrainLimit = 0.05;       // Of the 95th percentile.
 
 // Formats like printf.
 [[gnu::format(printf, 1, 2)]] std::string Format(const char* format, ...) {
@@ -147,9 +148,9 @@ void WriteChecks(const FitReport& report, Page& page) {
                  Count(seams.open_pair_count) + " open; gap mean " +
                  Format("%.2f, 95 %% below %.2f, largest %.2f mm", seams.mean * 1e3, seams.p95 * 1e3, seams.max * 1e3));
   const PenetrationSummary& inside = report.penetration;
-  page.Entry("inside body", verdict(inside.particle_count_inside == 0 && inside.triangle_sample_count_inside == 0) +
-                                Count(inside.particle_count_inside) + " of " + Count(report.particle_count) +
-                                " particles, " + Count(inside.triangle_sample_count_inside) + " of " +
+  page.Entry("inside body", verdict(inside.deepest <= kPenetrationLimit) + Count(inside.particle_count_inside) +
+                                " of " + Count(report.particle_count) + " particles, " +
+                                Count(inside.triangle_sample_count_inside) + " of " +
                                 Count(inside.triangle_sample_count) + " points between them; deepest " +
                                 Format("%.2f mm", inside.deepest * 1e3));
   const StrainSummary& strain = report.strain;

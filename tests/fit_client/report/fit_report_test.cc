@@ -103,7 +103,7 @@ TEST(FitReportText, DoesNotCallGoodWhatIsNot) {
   // Three points inside the body, and a residual above its limit, are in the report already.
   EXPECT_THAT(WriteText(report), HasSubstr("NOT GOOD: 0 of 8,574 particles, 3 of 16,000 points"));
   EXPECT_THAT(WriteText(report), HasSubstr("NOT MET: 30 mm/s, limit 18 mm/s"));
-  report.penetration = {0, 16000, 0, 0.0};
+  report.penetration = {0, 16000, 3, 0.0001};
   report.residuals.clear();
   EXPECT_THAT(WriteText(report), Not(HasSubstr("NOT")));
   report.seams.max = 0.0006;
