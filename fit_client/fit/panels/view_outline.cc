@@ -129,15 +129,12 @@ Status OutOfOrder(const GarmentView& view, const std::string& before, const std:
                              " on the outline; move it, or swap left and right (they are the wearer's)");
 }
 
-}  // namespace
+using PositionsByName = std::map<std::string, OutlinePosition>;
 
-Result<ViewOutline> SplitOutline(const GarmentView& view, GarmentKind kind, double length) {
-  FR_RETURN_IF_ERROR(CheckView(view, length));
-  const ClosedOutline outline = CloseOutline(view);
-  const double length_in_pixels = length / view.metre_per_pixel;
-  const std::vector<SectionLayout>& layout = OutlineLayout(kind);
-
-  std::map<std::string, OutlinePosition> positions;
+// Finds the place on the outline of each of the layout's points.
+Result<PositionsByName> LocatePoints(const GarmentView& view, const std::vector<SectionLayout>& layout,
+                                     const ClosedOutline& outline, double length_in_pixels) {
+  PositionsByName positions;
   for (const SectionLayout& section : layout) {
     for (const std::string& name : section.knots) {
       const OutlinePoint* point = FindPoint(view, name);
@@ -152,6 +149,24 @@ Result<ViewOutline> SplitOutline(const GarmentView& view, GarmentKind kind, doub
       }
     }
   }
+  return positions;
+}
+
+}  // namespace
+
+Result<ViewOutline> SplitOutline(const GarmentView& view, GarmentKind kind, double length) {
+  FR_RETURN_IF_ERROR(CheckView(view, length));
+  const ClosedOutline outline = CloseOutline(view);
+  const double length_in_pixels = length / view.metre_per_pixel;
+  const std::vector<SectionLayout>& layout = OutlineLayout(kind);
+  // Also keeps what follows bounded: a garment's outline is five to eight times as long as the garment.
+  if (outline.perimeter() < 2.0 * length_in_pixels || outline.perimeter() > 40.0 * length_in_pixels) {
+    return InvalidArgument("BAD_OUTLINE", std::string(SideName(view.side)) +
+                                              " view: the outline's perimeter does not fit the garment's length; check "
+                                              "the length, or extract the garment again");
+  }
+
+  FR_ASSIGN_OR_RETURN(PositionsByName positions, LocatePoints(view, layout, outline, length_in_pixels));
   const bool neck_inside = positions["neck_drop"].distance > kNeckOnOutline * length_in_pixels;
 
   ViewOutline split{view.side, view.image_width, view.image_height, view.metre_per_pixel, {}};

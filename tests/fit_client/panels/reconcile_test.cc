@@ -282,6 +282,14 @@ TEST(ReconcileViews, RefusesWithAReason) {
   EXPECT_EQ(reason(bad), "BAD_OUTLINE");
 
   bad = good;
+  bad.front.outline.assign(100, Eigen::Vector2d(50, 50));
+  EXPECT_EQ(reason(bad), "BAD_OUTLINE");
+
+  bad = good;  // A zigzag of 200 km.
+  for (size_t i = 0; i < bad.front.outline.size(); i += 2) bad.front.outline[i].x() += 1e5;
+  EXPECT_EQ(reason(bad), "BAD_OUTLINE");
+
+  bad = good;
   bad.front.metre_per_pixel = 0.0;
   EXPECT_EQ(reason(bad), "BAD_SCALE");
 
