@@ -48,8 +48,8 @@ Result<BodyAnalysis> AnalyseScan(const TriangleMesh& raw, const FrameOverrides& 
   const HeightIndex index(body.mesh, kSlabCount);
   FR_ASSIGN_OR_RETURN(const BodySlices slices, SliceBody(index));
   const BodyShape shape{index, slices};
-  FindTrunk(shape, body.landmarks, body.measurements);
   FindNeckAndShoulders(shape, body.landmarks);
+  FindTrunk(shape, body.landmarks, body.measurements);
   const LimbAxes axes = FindLimbs(shape, body.landmarks);
   body.arm_left = axes.arm_left;
   body.arm_right = axes.arm_right;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "common/body/arm_separation.h"
+#include "common/body/polygon.h"
 
 namespace fitroom {
 namespace {
@@ -20,8 +21,9 @@ constexpr double kArmsSurelyApart = 0.64;
 constexpr double kFoldedNeck = 0.75;
 constexpr double kTouchingNeck = 1.0;
 constexpr double kFoldRise = 0.006;        // (unit: metre)
-constexpr size_t kFoldDepth = 6;           // Slices: folds this far above a free arm are the armpit's own, 25 mm.
+constexpr size_t kFoldDepth = 4;           // Slices: folds this far above a free arm are the armpit's own (15 mm).
 constexpr double kTouchDoubt = 0.2;        // Counted as bridged outline (unit: metre).
+constexpr double kArmpitUsual = 0.753;     // Of the stature.
 constexpr double kHeightTolerance = 2e-4;  // Of a merge (unit: metre).
 
 SectionOptions SliceOptions() {
@@ -193,8 +195,12 @@ class Slicer {
       // The arm touches the trunk below the armpit: the skin's hollow ends a little below where its folds begin.
       k = folded;
       body_.armpit[IndexOf(side)] = {
-          Eigen::Vector3d(fold_middle.x(), body_.slices[k].height - kFoldRise, fold_middle.y()), kTouchDoubt, true};
+          Eigen::Vector3d(fold_middle.x(), body_.slices[k].height - kFoldRise, fold_middle.y()), kTouchDoubt, true,
+          /*touching=*/true};
       if (!CutOffArm(body_.slices[k], side)) return;
+      for (size_t above = k + 1; above < SliceNumber(kArmpitUsual); ++above) {
+        if (!CutOffArm(body_.slices[above], side)) ClipTrunk(body_.slices[above], side, fold_middle.x());
+      }
     } else {
       return;
     }
@@ -231,6 +237,20 @@ class Slicer {
     slice.loops.push_back(std::move(parts->arm));
     slice.arm[IndexOf(side)] = static_cast<int>(slice.loops.size()) - 1;
     return true;
+  }
+
+  // Draws the trunk's outline in to the vertical plane at `limit`, where an arm is too broadly joined to be cut off.
+  static void ClipTrunk(BodySlice& slice, Side side, double limit) {
+    if (slice.trunk < 0) return;
+    SectionLoop& loop = slice.loops[static_cast<size_t>(slice.trunk)];
+    loop.bounds.setEmpty();
+    for (Eigen::Vector2d& p : loop.points) {
+      if (SignOf(side) * (p.x() - limit) > 0.0) p.x() = limit;
+      loop.bounds.extend(p);
+    }
+    const PolygonMoments moments = ComputeMoments(loop.points);
+    loop.area = std::abs(moments.signed_area);
+    loop.centroid = moments.centroid;
   }
 
   // The outline nearest to where the arm should go on; -1 where it has ended or touches the trunk.

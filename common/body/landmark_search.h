@@ -20,10 +20,10 @@ inline BodyLandmark OnSide(BodyLandmark left, Side side) {
 // Each search fills the landmarks it names; one that cannot be found keeps confidence 0. README.md holds the
 // definitions.
 
-// Front neck, C7, side necks, acromions. Needs the armpits' heights (their priors where they were not found).
+// Front neck, C7, side necks, acromions.
 void FindNeckAndShoulders(const BodyShape& shape, BodyLandmarks& landmarks);
 
-// Crown, armpits, crotch, bust points, waist, navel, hip sides, buttock; and the girths.
+// Crown, armpits, crotch, bust points, waist, navel, hip sides, buttock; and the girths. Needs acromions.
 void FindTrunk(const BodyShape& shape, BodyLandmarks& landmarks, BodyMeasurements& measurements);
 
 // Elbows, wrists, knees, ankles, and the limbs' axes. Needs acromions, armpits and crotch.

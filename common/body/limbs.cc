@@ -35,6 +35,10 @@ constexpr double kWristPart = 0.70;
 // Parts of the way from the elbow to the fingertips between which the wrist is looked for.
 constexpr double kWristLow = 0.42;
 constexpr double kWristHigh = 0.62;
+// Parts of the stature: an arm line shorter than the first is not a whole arm's; and the usual lengths of both pieces.
+constexpr double kShortArm = 0.30;
+constexpr double kUpperArm = 0.146;
+constexpr double kForearm = 0.128;
 // The ankle's joint above the floor, as a part of the stature.
 constexpr double kAnklePart = 0.0427;
 
@@ -119,6 +123,15 @@ LimbAxis FindArm(const BodyShape& shape, Side side, BodyLandmarks& landmarks) {
   const Centreline line = ArmLine(shape.slices, side, axis.root);
   if (line.points.size() < 5) return axis;
   const double length = line.length();
+  if (length < kShortArm * stature) {
+    // Lost where it lies against the body: straight on in its direction, as long as arms are.
+    const Eigen::Vector3d direction = (line.points.back() - axis.root).normalized();
+    axis.joint = axis.root + kUpperArm * stature * direction;
+    axis.end = axis.joint + kForearm * stature * direction;
+    landmarks[OnSide(BodyLandmark::kElbowLeft, side)] = {axis.joint, 0.1};
+    landmarks[OnSide(BodyLandmark::kWristLeft, side)] = {axis.end, 0.1};
+    return axis;
+  }
   Bend bend = FindBend(line, kWristPart * length, 0.30 * length, 0.47 * length);
   const bool clear = bend.angle > 0.17;
   if (!clear) bend.along = kElbowPart * length;

@@ -21,7 +21,11 @@ constexpr double kAcromionAngle = 52.0 * kDegree;
 constexpr double kFrontNeckHighest = 0.0173;
 constexpr double kFrontNeckLowest = 0.0313;
 constexpr double kBackNeckRise = 0.0082;
-constexpr double kSideNeckPart = 0.849;   // Of the stature, where no side neck is found.
+constexpr double kSideNeckPart = 0.849;  // Of the stature, where no side neck is found.
+// A raised arm goes on at the shoulder's own slope: no angle tells the edge, which then lies this far beyond the
+// armpit.
+constexpr double kRaisedArm = 40.0 * kDegree;
+constexpr double kEdgeBeyondArmpit = 0.017;
 constexpr double kNeckReach = 0.012;      // (unit: metre)
 constexpr double kShoulderReach = 0.018;  // (unit: metre)
 
@@ -126,18 +130,36 @@ void FindBackNeck(const NeckSections& neck, double base_height, double stature, 
                                           std::max(0.1, 0.7 - bridged)};
 }
 
-// How far the upper arm is raised from hanging straight down (unit: radian).
-double ArmAngle(const BodySlices& body, Side side) {
+// How the upper arm is held.
+struct ArmPose {
+  double angle = 0.0;         // From hanging straight down (unit: radian).
+  double armpit_aside = 0.0;  // Of the armpit from the midline plane (unit: metre).
+};
+
+ArmPose PoseOf(const BodySlices& body, Side side) {
+  ArmPose pose;
   const MergePoint& armpit = body.armpit[IndexOf(side)];
+  if (!armpit.found) return pose;
+  pose.armpit_aside = SignOf(side) * armpit.position.x();
   const SectionLoop* upper = body.At(armpit.position.y() - 0.01).ArmLoop(side);
   const SectionLoop* lower = body.At(armpit.position.y() - 0.08).ArmLoop(side);
-  if (!armpit.found || upper == nullptr || lower == nullptr) return 0.0;
-  return std::atan2(SignOf(side) * (lower->centroid.x() - upper->centroid.x()), 0.07);
+  if (upper == nullptr || lower == nullptr) return pose;
+  pose.angle = std::atan2(SignOf(side) * (lower->centroid.x() - upper->centroid.x()), 0.07);
+  return pose;
+}
+
+// The first point of a profile that lies at least `aside` out; as a position on the profile.
+std::optional<double> FirstBeyond(const OutlineProfile& profile, double aside, size_t begin) {
+  for (size_t i = begin; i < profile.size(); ++i) {
+    if (profile.points()[i].x() >= aside) return static_cast<double>(i);
+  }
+  return std::nullopt;
 }
 
 // The neck's and shoulder's outline from the front: where the neck has turned into the shoulder's slope, and where that
 // slope turns down into the arm.
-void FindOnSide(const NeckSections& neck, size_t thinnest, double arm_angle, Side side, BodyLandmarks& landmarks) {
+void FindOnSide(const NeckSections& neck, size_t thinnest, const ArmPose& arm, double stature, Side side,
+                BodyLandmarks& landmarks) {
   const double sign = SignOf(side);
   std::vector<Eigen::Vector2d> outline;
   std::vector<double> depth;
@@ -162,16 +184,14 @@ void FindOnSide(const NeckSections& neck, size_t thinnest, double arm_angle, Sid
   const std::optional<double> side_neck = profile.FirstRiseAbove(kSideNeckAngle, thinnest, kShoulderReach);
   if (!side_neck) return;
   place(BodyLandmark::kSideNeckLeft, *side_neck);
-  // The shoulder's slope is passed before its edge. A raised arm goes on at its own angle: the edge is then half way
-  // between the slope's angle and the arm's.
+  // The shoulder's slope is passed before its edge.
   const size_t after = static_cast<size_t>(*side_neck) + 4;
-  double slope = kAcromionAngle;
-  for (size_t i = after; i < std::min(profile.size(), after + 20); ++i) {
-    slope = std::max(slope, profile.AngleAt(i, kShoulderReach));
-  }
-  const double edge = std::max(kAcromionAngle, 0.5 * (slope + arm_angle));
-  const std::optional<double> acromion = profile.FirstFallBelow(edge, after, kShoulderReach);
-  if (acromion) place(BodyLandmark::kAcromionLeft, *acromion);
+  const std::optional<double> edge = arm.angle > kRaisedArm
+                                         ? FirstBeyond(profile, arm.armpit_aside + kEdgeBeyondArmpit * stature, after)
+                                         : profile.FirstFallBelow(kAcromionAngle, after, kShoulderReach);
+  if (!edge) return;
+  place(BodyLandmark::kAcromionLeft, *edge);
+  if (arm.angle > kRaisedArm) landmarks[OnSide(BodyLandmark::kAcromionLeft, side)].confidence *= 0.7;
 }
 
 }  // namespace
@@ -184,7 +204,8 @@ void FindNeckAndShoulders(const BodyShape& shape, BodyLandmarks& landmarks) {
   double base_height = 0.0;
   int side_count = 0;
   for (const Side side : kSides) {
-    FindOnSide(neck, NearestSection(neck, thinnest->height), ArmAngle(shape.slices, side), side, landmarks);
+    FindOnSide(neck, NearestSection(neck, thinnest->height), PoseOf(shape.slices, side), shape.slices.stature, side,
+               landmarks);
     const LandmarkEstimate& side_neck = landmarks[OnSide(BodyLandmark::kSideNeckLeft, side)];
     if (side_neck.confidence == 0.0) continue;
     base_height += side_neck.position.y();

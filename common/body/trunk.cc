@@ -11,6 +11,8 @@ namespace {
 
 // Heights and widths are parts of the stature, lengths in metres. The windows are wider than people differ.
 constexpr double kBustDirection = 15.0 * std::numbers::pi / 180.0;
+constexpr double kFarthestArmpit = 0.14;  // From the midline; people have 0.08 to 0.11.
+constexpr double kArmpitBelowAcromion = 0.066;
 constexpr double kNavelPart = 0.508;      // Of the way from the crotch up to the armpits.
 constexpr double kHipAboveCrotch = 0.03;  // Below, the section still holds the inner thighs (unit: metre).
 
@@ -71,7 +73,13 @@ void FindArmpits(const BodySlices& body, BodyLandmarks& landmarks) {
   for (const Side side : kSides) {
     const MergePoint& merge = body.armpit[IndexOf(side)];
     if (!merge.found) continue;
+    // An arm that is raised level leaves no hollow: what was found is where the forearm sinks below its height.
+    if (SignOf(side) * merge.position.x() > kFarthestArmpit * body.stature) continue;
     Eigen::Vector3d armpit = merge.position;
+    const LandmarkEstimate& acromion = landmarks[OnSide(BodyLandmark::kAcromionLeft, side)];
+    if (merge.touching && acromion.confidence > 0.0) {
+      armpit.y() = std::max(armpit.y(), acromion.position.y() - kArmpitBelowAcromion * body.stature);
+    }
     // Along the hollow the height hardly changes: its middle is where the arm's own middle is.
     const BodySlice& below = body.At(armpit.y() - 0.01);
     if (const SectionLoop* arm = below.ArmLoop(side)) armpit.z() = arm->bounds.center().y();
@@ -108,7 +116,7 @@ void FindBust(const BodySlices& body, double armpit_height, BodyLandmarks& landm
 void FindWaist(const BodySlices& body, double crotch, double bust, double armpit, BodyLandmarks& landmarks,
                BodyMeasurements& measurements) {
   const BodySlice* waist = nullptr;
-  for (const BodySlice* slice : TrunkBetween(body, crotch + 0.11 * body.stature, bust - 0.05 * body.stature)) {
+  for (const BodySlice* slice : TrunkBetween(body, crotch + 0.11 * body.stature, bust - 0.04 * body.stature)) {
     const GirthMeasurement tape = TapeOf(*slice);
     if (waist != nullptr && tape.girth >= measurements.waist.girth) continue;
     waist = slice;
@@ -193,8 +201,9 @@ void FindTrunk(const BodyShape& shape, BodyLandmarks& landmarks, BodyMeasurement
   double armpit_height = 0.0;
   int armpit_count = 0;
   for (const Side side : kSides) {
-    if (!body.armpit[IndexOf(side)].found) continue;
-    armpit_height += body.armpit[IndexOf(side)].position.y();
+    const LandmarkEstimate& armpit = landmarks[OnSide(BodyLandmark::kArmpitLeft, side)];
+    if (armpit.confidence == 0.0) continue;
+    armpit_height += armpit.position.y();
     ++armpit_count;
   }
   armpit_height = armpit_count > 0 ? armpit_height / armpit_count : 0.753 * body.stature;
