@@ -22,6 +22,7 @@ constexpr double kFoldedNeck = 0.75;
 constexpr double kTouchingNeck = 1.0;
 constexpr double kFoldRise = 0.006;        // (unit: metre)
 constexpr size_t kFoldDepth = 4;           // Slices: folds this far above a free arm are the armpit's own (15 mm).
+constexpr double kArmJump = 0.05;          // An arm's middle moves less between two slices (unit: metre).
 constexpr double kTouchDoubt = 0.2;        // Counted as bridged outline (unit: metre).
 constexpr double kArmpitUsual = 0.753;     // Of the stature.
 constexpr double kHeightTolerance = 2e-4;  // Of a merge (unit: metre).
@@ -212,8 +213,9 @@ class Slicer {
     Eigen::Vector2d drift = Eigen::Vector2d::Zero();
     while (k-- > 0) {
       BodySlice& slice = body_.slices[k];
-      int next = ContinueArm(slice, middle + drift);
-      if (next < 0 && CutOffArm(slice, side)) next = slice.arm[IndexOf(side)];
+      const Eigen::Vector2d expected = middle + drift;
+      int next = ContinueArm(slice, expected);
+      if (next < 0 && CutOffArm(slice, side, &expected)) next = slice.arm[IndexOf(side)];
       if (next < 0) break;
       slice.arm[IndexOf(side)] = next;
       drift = 0.7 * drift + 0.3 * (slice.ArmLoop(side)->centroid - middle);
@@ -228,11 +230,12 @@ class Slicer {
     return options;
   }
 
-  // Cuts an arm that touches the trunk off the slice's trunk outline; false where none does.
-  static bool CutOffArm(BodySlice& slice, Side side) {
+  // Cuts an arm that touches the trunk off the slice's trunk outline; false where none does, or none near the
+  // `expected` place if there is one: just above the crotch a thigh has a neck like an arm's.
+  static bool CutOffArm(BodySlice& slice, Side side, const Eigen::Vector2d* expected = nullptr) {
     if (slice.trunk < 0) return false;
     auto parts = SeparateArm(*slice.TrunkLoop(), FoldOptions(side, kTouchingNeck));
-    if (!parts) return false;
+    if (!parts || (expected != nullptr && (parts->arm.centroid - *expected).norm() > kArmJump)) return false;
     slice.loops[static_cast<size_t>(slice.trunk)] = std::move(parts->trunk);
     slice.loops.push_back(std::move(parts->arm));
     slice.arm[IndexOf(side)] = static_cast<int>(slice.loops.size()) - 1;
@@ -256,7 +259,7 @@ class Slicer {
   // The outline nearest to where the arm should go on; -1 where it has ended or touches the trunk.
   int ContinueArm(const BodySlice& slice, const Eigen::Vector2d& expected) const {
     int best = -1;
-    double best_distance = 0.05;  // (unit: metre)
+    double best_distance = kArmJump;
     for (size_t i = 0; i < slice.loops.size(); ++i) {
       const int number = static_cast<int>(i);
       if (number == slice.trunk || number == slice.leg[0] || number == slice.leg[1]) continue;
