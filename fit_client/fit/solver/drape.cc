@@ -18,7 +18,8 @@ constexpr double kMergingDrag = 25.0;      // (unit: 1/s). Below 10 panels overs
 constexpr double kApproachSpeed = 1.2;     // Of whole panels towards each other (unit: m/s).
 constexpr double kApproachRate = 12.0;     // The speed falls to gap times this as the seams close (unit: 1/s).
 constexpr int kMergingCheckInterval = 16;  // Substeps between looks at the seams.
-constexpr int kPatience = 40;              // Looks without progress before merging is given up.
+constexpr int kPatience = 8;               // Looks without progress before pulls are doubled,
+constexpr double kStrongestPull = 8.0;     // as far as this times the closing speed; then merging is given up.
 constexpr double kProgress = 2e-4;         // Less than this in `kPatience` looks is no progress (unit: metre).
 constexpr double kFallingStep =
     4e-4;  // While the cloth falls (unit: second). Longer: its weight stretches it by over 5 %.
@@ -59,6 +60,7 @@ class DrapeRun {
   bool IsAtRest(const std::vector<Eigen::Vector3d>& before, const std::vector<Eigen::Vector3d>& after, double seconds,
                 const ClothState& state);
   bool TouchesBody();
+  double MeanEdgeLength() const;
   Status CheckFinite(const ClothState& state) const;
   void TakePositions(const ClothModel& model, const ClothState& state);
   std::vector<Eigen::Vector3d> ParticlePositions(const ClothModel& model) const;
@@ -203,6 +205,7 @@ Status DrapeRun::Merge() {
   report_.seam_pair_count = static_cast<int>(mesh_.seams.size());
   double best = 1e9;
   int looks_since_progress = 0;
+  double strength = 1.0;
   std::vector<double> gaps = SeamGaps();
   while (!gaps.empty()) {
     const double mean = std::accumulate(gaps.begin(), gaps.end(), 0.0) / static_cast<double>(gaps.size());
@@ -212,10 +215,12 @@ Status DrapeRun::Merge() {
       best = largest + mean;
       looks_since_progress = 0;
     } else if (++looks_since_progress >= kPatience) {
-      break;
+      if (strength >= kStrongestPull) break;
+      strength *= 2.0;
+      looks_since_progress = 0;
     }
     SetApproachWind(model, mean, state);
-    solver.Advance(state, kMergingCheckInterval, MakePulls(model, mesh_.seams), options_.closing_speed);
+    solver.Advance(state, kMergingCheckInterval, MakePulls(model, mesh_.seams), strength * options_.closing_speed);
     report_.merging_substeps += kMergingCheckInterval;
     substep_ += kMergingCheckInterval;
     FR_RETURN_IF_ERROR(CheckFinite(state));
@@ -236,6 +241,19 @@ Status DrapeRun::Merge() {
     report_.seam_gap_max = Percentile(gaps, 1.0);
   }
   return Status();
+}
+
+// At rest, and within what the steps were tuned on (unit: metre).
+double DrapeRun::MeanEdgeLength() const {
+  double sum = 0.0;
+  for (const Eigen::Vector3i& triangle : mesh_.triangles) {
+    for (int corner = 0; corner < 3; ++corner) {
+      sum += (mesh_.rest_positions[static_cast<size_t>(triangle[corner])] -
+              mesh_.rest_positions[static_cast<size_t>(triangle[(corner + 1) % 3])])
+                 .norm();
+    }
+  }
+  return std::clamp(sum / (3.0 * static_cast<double>(mesh_.triangles.size())), 0.004, 0.025);
 }
 
 bool DrapeRun::TouchesBody() {
@@ -294,7 +312,8 @@ Status DrapeRun::LetHang() {
   ClothState state = solver.MakeState(ParticlePositions(model));
   Relax(solver, state);
   MotionOptions motion;
-  motion.time_step = kFallingStep;
+  const double edge_scale = MeanEdgeLength() / 0.01;
+  motion.time_step = kFallingStep * edge_scale;
   motion.gravity = options_.gravity;
   motion.drag = kDrapingDrag;
   motion.friction_coefficient = options_.friction_coefficient;
@@ -307,7 +326,7 @@ Status DrapeRun::LetHang() {
   bool is_settling = false;
   std::vector<Eigen::Vector3d> before = ClothSolver::Positions(state, model.particle_count());
   while (report_.draping_substeps < options_.draping_substep_limit) {
-    const int window = static_cast<int>(std::lround(1.0 / (60.0 * motion.time_step)));
+    const int window = static_cast<int>(std::max(1L, std::lround(1.0 / (60.0 * motion.time_step))));
     solver.Advance(state, window, MakePulls(model, open_seams_), 0.1 * options_.closing_speed);
     report_.draping_substeps += window;
     report_.simulated_seconds += window * motion.time_step;
@@ -322,7 +341,7 @@ Status DrapeRun::LetHang() {
     if (windows_at_rest >= kRestWindows && samples_too_close == 0) break;
     if (!is_settling && report_.speed_p99 < kSettlingSpeed) {
       is_settling = true;
-      motion.time_step = kSettlingStep;
+      motion.time_step = kSettlingStep * edge_scale;
       solver.SetMotion(motion);
     }
     Observe(DrapeStage::kDraping, 0.3 + 0.7 * report_.draping_substeps / options_.draping_substep_limit);

@@ -65,7 +65,7 @@ struct DrapeOptions {
   // After sewing and before gravity: substeps of 0.5 ms in which cloth that starts stretched or creased shrinks onto
   // the body, strongly damped and at the stitching friction, so that no stretch is frozen in by friction. 0: none.
   int relaxing_substeps = 0;
-  int draping_substep_limit = 12000;
+  int draping_substep_limit = 20000;
 
   double rest_speed = 0.018;               // 0.03 cm per 1/60 s (unit: m/s).
   double rest_share = 0.985;               // This part of the particles must be slower than rest_speed,
