@@ -89,22 +89,23 @@ double SignedDistanceField::ExactDistance(const Eigen::Vector3d& point) const {
   const Eigen::Vector3i brick = (fine / kBrickCells).cast<int>().cwiseMin(brick_count_ - Eigen::Vector3i::Ones());
   const int32_t slot = brick_slot_[BrickIndex(brick)];
   if (slot < 0) return interpolated;
-  NearestTriangle nearest{std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity(), 0.0F, -1};
   const Eigen::Vector3f local = (point - region_.min()).cast<float>();
+  SurfaceTriangles::Offset nearest{std::numeric_limits<float>::infinity(), false};
+  float limit = static_cast<float>(2.0 * pitch_);  // All triangles that are this close are in the brick's list.
   for (uint32_t entry = brick_triangles_begin_[static_cast<size_t>(slot)];
        entry < brick_triangles_begin_[static_cast<size_t>(slot) + 1]; ++entry) {
-    SignedDistanceFieldBuilder::Consider(*this, local, static_cast<int32_t>(brick_triangles_[entry]), nearest);
+    if (!(surface_.SquaredDistance(brick_triangles_[entry], local, limit) < nearest.squared_distance)) continue;
+    nearest = surface_.OffsetFrom(brick_triangles_[entry], local);
+    limit = std::min(limit, std::sqrt(nearest.squared_distance));
   }
   const double distance = std::sqrt(static_cast<double>(nearest.squared_distance));
-  if (nearest.triangle < 0 || distance > 2.0 * pitch_) return interpolated;
-  return nearest.facing < 0.0F ? -distance : distance;
+  if (!(distance <= 2.0 * pitch_)) return interpolated;
+  return nearest.is_inside ? -distance : distance;
 }
 
 size_t SignedDistanceField::memory_size() const {
   return brick_slot_.size() * sizeof(int32_t) + brick_samples_.size() * sizeof(float) +
-         coarse_samples_.size() * sizeof(float) +
-         (vertices_.size() + vertex_normals_.size()) * sizeof(Eigen::Vector3f) +
-         triangles_.size() * sizeof(Eigen::Vector3i) +
+         coarse_samples_.size() * sizeof(float) + surface_.memory_size() +
          (brick_triangles_begin_.size() + brick_triangles_.size()) * sizeof(uint32_t);
 }
 

@@ -10,6 +10,7 @@
 #include "common/base/executor.h"
 #include "common/base/status.h"
 #include "common/geometry/triangle_mesh.h"
+#include "fit_client/fit/collision/surface_triangles.h"
 
 namespace fitroom {
 
@@ -85,9 +86,7 @@ class SignedDistanceField {
   std::vector<float> coarse_samples_;  // Per coarse node, x fastest (unit: metre).
 
   // For ExactDistance: the triangles near each stored brick.
-  std::vector<Eigen::Vector3f> vertices_;        // Relative to the region's minimum.
-  std::vector<Eigen::Vector3f> vertex_normals_;  // Angle-weighted.
-  std::vector<Eigen::Vector3i> triangles_;
+  SurfaceTriangles surface_;
   std::vector<uint32_t> brick_triangles_begin_;  // Per slot, plus one.
   std::vector<uint32_t> brick_triangles_;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -7,79 +8,51 @@
 
 namespace fitroom {
 
-// What is known at one sample while a field is being built.
-struct NearestTriangle {
-  float squared_distance = 0.0F;  // (unit: m^2)
-  float distance = 0.0F;          // (unit: metre)
-  float facing = 0.0F;  // Cosine between the way from the surface and the surface's normal; its sign tells in from out.
-  int32_t triangle = -1;  // None yet.
-};
-
 // Fills a SignedDistanceField. One object builds one field; not thread-safe, uses the executor itself.
 //
 // 1. Triangles are binned into the bricks they come within two pitches of; bricks without triangles are not stored.
 // 2. The coarse grid gets a nearest triangle a node from triangles next to it and by sweeping from node to node.
-// 3. Each stored brick splats its triangles onto the samples within kNearCells pitches of them (exact there); the
-//    remaining samples try the nearest triangles of the coarse grid and of their neighbours.
-// 4. The coarse nodes in bricks take over what the bricks know; the other ones get their sign from them.
-// Sign: face and vertex normals as in Baerentzen and Aanaes, "Signed distance computation using the angle weighted
-// pseudonormal", 2005; on an edge, of the two triangles that tie, the one that faces the query more squarely decides,
-// which is the same sign as the edge's pseudonormal and needs no adjacency. Away from the surface the sign is inherited
-// from neighbours, so that one bad triangle cannot spoil a region.
+// 3. BrickFiller computes each stored brick, with the coarse grid's triangles as hints for samples far from the
+// surface.
+// 4. The coarse nodes in bricks take over what the bricks know; connected parts of the others get their sign from what
+//    the bricks along them say by majority, so that one bad triangle cannot turn a region inside out.
 class SignedDistanceFieldBuilder {
  public:
   SignedDistanceFieldBuilder(const TriangleMesh& body, const SignedDistanceFieldOptions& options, Executor& executor);
 
   Result<SignedDistanceField> Build();
 
-  // Updates `nearest` if `triangle` is closer to `point`, or ties and faces it more squarely.
-  static void Consider(const SignedDistanceField& field, const Eigen::Vector3f& point, int32_t triangle,
-                       NearestTriangle& nearest);
-  // The same, but looks first whether the ball round the triangle is near enough.
-  void TryTriangle(const Eigen::Vector3f& point, int32_t triangle, NearestTriangle& nearest) const {
-    const Eigen::Vector4f& sphere = spheres_[static_cast<size_t>(triangle)];
-    const float reach = nearest.distance * 1.00001F + sphere[3];
-    if ((point - sphere.head<3>()).squaredNorm() > reach * reach) return;
-    Consider(field_, point, triangle, nearest);
-  }
-
  private:
   struct Box {
     Eigen::Vector3i low;
     Eigen::Vector3i high;  // Inclusive.
   };
-  using BrickSamples = std::vector<NearestTriangle>;
+  struct CoarseNode {
+    float distance = 0.0F;  // Unsigned (unit: metre).
+    int32_t triangle = -1;  // None yet.
+    int8_t side = 0;        // -1 inside, 1 outside.
+  };
 
   Status CheckInput() const;
   Status LayOutRegion();
-  void KeepTrianglesInReach();
-  void ComputeAngleWeightedNormals();
-  void BinTriangles();
-  Box BricksNear(const Eigen::Vector3i& triangle) const;
-
-  void FillBrick(size_t slot);
-  void SplatTriangles(size_t slot, const Eigen::Vector3i& first_node, BrickSamples& samples) const;
-  void SpreadInBrick(const Eigen::Vector3i& first_node, const std::vector<bool>& reached, BrickSamples& samples) const;
-  static void SpreadSigns(const std::vector<bool>& reached, BrickSamples& samples);
+  Status BinTriangles();
+  Box BricksNear(size_t triangle) const;
 
   void SeedCoarseGrid();
+  void TryTriangle(const Eigen::Vector3i& node, int32_t triangle);
   void SpreadOverCoarseGrid();
-  void FillCoarseGrid();
+  void FillBricks(size_t begin, size_t end);
   std::vector<bool> TakeOverBricks();
   void SignCoarseGrid(const std::vector<bool>& in_brick);
-
-  Eigen::Vector3f FinePoint(const Eigen::Vector3i& node) const {
-    return node.cast<float>() * static_cast<float>(field_.pitch_);
-  }
+  void StoreCoarseGrid();
 
   const TriangleMesh& body_;
   const SignedDistanceFieldOptions& options_;
   Executor& executor_;
   SignedDistanceField field_;
   std::vector<Eigen::Vector3i> brick_of_slot_;
-  std::vector<Eigen::Vector4f> spheres_;          // One a triangle: centre and radius of a ball round it.
-  std::vector<NearestTriangle> coarse_;           // One a coarse node.
-  std::vector<NearestTriangle> coarse_of_brick_;  // 27 a slot: what the brick knows at its coarse nodes.
+  std::vector<CoarseNode> coarse_;                          // One a coarse node.
+  std::vector<std::array<CoarseNode, 27>> coarse_of_slot_;  // What each brick knows at its coarse nodes.
 };
 
 }  // namespace fitroom
