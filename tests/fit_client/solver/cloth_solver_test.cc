@@ -1,0 +1,227 @@
+#include "fit_client/fit/solver/cloth_solver.h"
+
+#include <cmath>
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+#include "tests/fit_client/collision/shapes.h"
+#include "tests/fit_client/solver/cloth_shapes.h"
+
+namespace fitroom {
+namespace {
+
+// A cloth in motion with everything it needs.
+struct Scene {
+  Scene(const ClothMesh& cloth, const ClothMaterial& material, SignedDistanceField collider)
+      : mesh(cloth),
+        body(std::move(collider)),
+        model(ClothModel::Create(mesh, material, {}).value()),
+        solver(model, body, serial) {
+    std::vector<Eigen::Vector3d> particles(static_cast<size_t>(model.particle_count()));
+    for (size_t vertex = 0; vertex < mesh.rest_positions.size(); ++vertex) {
+      particles[static_cast<size_t>(model.particle_of_vertex()[vertex])] = mesh.rest_positions[vertex];
+    }
+    state = solver.MakeState(particles);
+  }
+  Eigen::Vector3d At(int vertex) const {
+    return ClothSolver::Positions(state, model.particle_count())[Particle(vertex)];
+  }
+  size_t Particle(int vertex) const {
+    return static_cast<size_t>(model.particle_of_vertex()[static_cast<size_t>(vertex)]);
+  }
+  void Pin(int vertex) {
+    state.positions[Particle(vertex)].w = 0.0F;
+    state.previous[Particle(vertex)].w = 0.0F;
+  }
+  Eigen::Vector3d Centre() const {
+    const std::vector<Eigen::Vector3d> places = ClothSolver::Positions(state, model.particle_count());
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (size_t particle = 0; particle < places.size(); ++particle) sum += model.masses()[particle] * places[particle];
+    double mass = 0.0;
+    for (const double m : model.masses()) mass += m;
+    return sum / mass;
+  }
+
+  ClothMesh mesh;
+  SignedDistanceField body;
+  ClothModel model;
+  SerialExecutor serial;
+  ClothSolver solver;
+  ClothState state;
+};
+
+MotionOptions FreeMotion(double time_step) {
+  MotionOptions motion;
+  motion.time_step = time_step;
+  motion.drag = 0.0;
+  return motion;
+}
+
+ClothMesh MakeTriangle() {
+  ClothMesh mesh;
+  mesh.rest_positions = {{0.0, 0.0, 0.0}, {0.02, 0.0, 0.0}, {0.01, 0.02, 0.0}};
+  mesh.triangles = {{0, 1, 2}};
+  return mesh;
+}
+
+TEST(ClothSolver, FreeFallIsHalfGTSquared) {
+  Scene scene(MakeTriangle(), {}, testing::MakeFarBody());
+  scene.solver.SetMotion(FreeMotion(5e-4));
+  scene.solver.Advance(scene.state, 600, {}, 0.0);
+  const double expected = -0.5 * 9.81 * 0.3 * 0.3;
+  EXPECT_NEAR(scene.Centre().y() - 0.02 / 3.0, expected, 0.01 * std::abs(expected));
+  EXPECT_NEAR((scene.At(1) - scene.At(0)).norm(), 0.02, 1e-5);
+}
+
+TEST(ClothSolver, DragDecayDoesNotDependOnTheStep) {
+  for (const double step : {2e-4, 1e-3}) {
+    Scene scene(MakeTriangle(), {}, testing::MakeFarBody());
+    MotionOptions motion = FreeMotion(step);
+    motion.gravity.setZero();
+    motion.drag = 7.0;
+    scene.solver.SetMotion(motion);
+    for (Float4& velocity : scene.state.velocities) velocity = {0.4F, 0.0F, 0.0F, 0.0F};
+    scene.solver.Advance(scene.state, static_cast<int>(std::lround(0.2 / step)), {}, 0.0);
+    EXPECT_NEAR(scene.state.velocities[0].x, 0.4 * std::exp(-7.0 * 0.2), 2e-3) << step;
+  }
+}
+
+TEST(ClothSolver, AHangingStripStretchesByWeightOverStiffness) {
+  // A strip of width w and length l under its own weight: the top edge carries rho g l per width, so the mean strain is
+  // rho g l / (2 Y). Short steps, so that the numerical give is a small part.
+  ClothMaterial material;
+  material.areal_density = 0.5;
+  material.stretch_stiffness = 30.0;
+  for (const int rows : {10, 20}) {
+    const ClothMesh sheet = testing::MakeSheet(0.1, 0.2, rows / 2, rows);
+    Scene scene(sheet, material, testing::MakeFarBody());
+    for (int column = 0; column <= rows / 2; ++column) scene.Pin(rows * (rows / 2 + 1) + column);
+    for (int column = 0; column <= rows / 2; ++column) {
+      scene.state.velocities[scene.Particle(rows * (rows / 2 + 1) + column)] = {};
+    }
+    MotionOptions motion = FreeMotion(1e-4);
+    motion.drag = 30.0;
+    // Pinned particles have no mass to fall with: hold them by taking gravity as acceleration of the others only.
+    scene.solver.SetMotion(motion);
+    for (int done = 0; done < 6000; done += 1) {
+      scene.solver.Advance(scene.state, 1, {}, 0.0);
+      for (int column = 0; column <= rows / 2; ++column) {
+        const size_t top = scene.Particle(rows * (rows / 2 + 1) + column);
+        const Eigen::Vector3d rest =
+            sheet.rest_positions[static_cast<size_t>(rows * (rows / 2 + 1) + column)] - scene.state.centre;
+        scene.state.positions[top] = {static_cast<float>(rest.x()), static_cast<float>(rest.y()),
+                                      static_cast<float>(rest.z()), 0.0F};
+        scene.state.velocities[top] = {};
+      }
+    }
+    const double strain = (scene.At(rows * (rows / 2 + 1) + rows / 4) - scene.At(rows / 4)).norm() / 0.2 - 1.0;
+    const double expected = 0.5 * 9.81 * 0.2 / (2.0 * 30.0);
+    EXPECT_NEAR(strain, expected, 0.25 * expected) << rows << " rows";
+  }
+}
+
+TEST(ClothSolver, ImpactIsInelastic) {
+  ClothMesh mesh = MakeTriangle();
+  for (Eigen::Vector3d& position : mesh.rest_positions) {
+    position = Eigen::Vector3d(position.x(), 0.03, position.y());  // Lying flat, 3 cm above a level plate.
+  }
+  Scene scene(mesh, {}, testing::MakeSlope(0.0));
+  MotionOptions motion = FreeMotion(5e-4);
+  motion.friction_coefficient = 0.0;
+  scene.solver.SetMotion(motion);
+  double highest_after_contact = 0.0;
+  bool touched = false;
+  for (int step = 0; step < 600; ++step) {
+    scene.solver.Advance(scene.state, 1, {}, 0.0);
+    touched = touched || scene.Centre().y() < motion.contact_offset + 2e-4;
+    if (touched) highest_after_contact = std::max(highest_after_contact, scene.Centre().y());
+  }
+  EXPECT_TRUE(touched);
+  EXPECT_NEAR(scene.Centre().y(), motion.contact_offset, 2e-4);
+  EXPECT_LT(highest_after_contact, motion.contact_offset + 4e-4);
+}
+
+TEST(ClothSolver, NothingTunnelsAtAnySpeed) {
+  ClothMesh mesh = MakeTriangle();
+  for (Eigen::Vector3d& position : mesh.rest_positions) position = {position.x(), 0.05, position.y()};
+  Scene scene(mesh, {}, testing::MakeSlope(0.0));
+  scene.solver.SetMotion(FreeMotion(5e-4));
+  for (Float4& velocity : scene.state.velocities) velocity = {0.0F, -80.0F, 0.0F, 0.0F};  // 4 cm a step, unchecked.
+  scene.solver.Advance(scene.state, 400, {}, 0.0);
+  EXPECT_GT(scene.Centre().y(), 0.0025);
+}
+
+// Coulomb: a block slides on a slope if and only if tan(angle) > mu, then with g (sin - mu cos), whatever the step.
+TEST(ClothSolver, SlidesOnASlopeExactlyWhenCoulombSays) {
+  const double friction = 0.4;
+  for (const double step : {2.5e-4, 1e-3}) {
+    for (const double tangent : {0.3, 0.37, 0.45, 0.6}) {
+      const double angle = std::atan(tangent);
+      ClothMesh mesh = MakeTriangle();
+      const Eigen::Matrix3d tilt = Eigen::AngleAxisd(-angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+      for (Eigen::Vector3d& position : mesh.rest_positions) {
+        position = tilt * Eigen::Vector3d(position.x() - 0.1, 0.0035, position.y() - 0.01);
+      }
+      Scene scene(mesh, {}, testing::MakeSlope(angle));
+      MotionOptions motion = FreeMotion(step);
+      motion.friction_coefficient = friction;
+      scene.solver.SetMotion(motion);
+      const Eigen::Vector3d start = scene.Centre();
+      scene.solver.Advance(scene.state, static_cast<int>(std::lround(0.25 / step)), {}, 0.0);
+      const double way = (scene.Centre() - start).norm();
+      const double acceleration = 9.81 * (std::sin(angle) - friction * std::cos(angle));
+      const double expected = std::max(0.0, 0.5 * acceleration * 0.25 * 0.25);
+      EXPECT_NEAR(way, expected, 0.06 * expected + 3e-4) << "tan " << tangent << ", step " << step;
+    }
+  }
+}
+
+TEST(ClothSolver, SeamPullsAreEqualAndOppositeAndCapped) {
+  const ClothMesh tube = testing::MakeTube(0.1, 0.1, 5, 5, 0.05);
+  Scene scene(tube, {}, testing::MakeFarBody());
+  MotionOptions motion = FreeMotion(5e-4);
+  motion.gravity.setZero();
+  scene.solver.SetMotion(motion);
+  std::vector<SeamPull> pulls;
+  for (const SeamPair& pair : tube.seams) {
+    pulls.push_back({static_cast<int>(scene.Particle(pair.a)), static_cast<int>(scene.Particle(pair.b)), false});
+  }
+  const Eigen::Vector3d before = scene.Centre();
+  const double gap_before = (scene.At(tube.seams[0].a) - scene.At(tube.seams[0].b)).norm();
+  scene.solver.Advance(scene.state, 1, pulls, /*closing_speed=*/1.0);
+  const double gap_after = (scene.At(tube.seams[0].a) - scene.At(tube.seams[0].b)).norm();
+  EXPECT_NEAR(gap_before - gap_after, 1.0 * 5e-4, 1e-6);
+  EXPECT_NEAR((scene.Centre() - before).norm(), 0.0, 1e-7);
+}
+
+TEST(ClothSolver, EveryThreadCountGivesTheSameBits) {
+  const ClothMesh tube = testing::MakeTube(0.5, 0.5, 50, 50, 0.02);
+  const ClothModel model = ClothModel::Create(tube, {}, tube.seams).value();
+  EXPECT_GT(model.chunks().size(), 2u);
+  SerialExecutor serial;
+  const SignedDistanceField body =
+      SignedDistanceField::Build(testing::MakeSphere({0.05, 0.2, 0.0}, 0.1, 4), {}, serial).value();
+  std::vector<Float4> reference;
+  for (const int thread_count : {1, 2, 3}) {
+    ThreadPool pool(thread_count);
+    ClothSolver solver(model, body, pool);
+    std::vector<Eigen::Vector3d> start(static_cast<size_t>(model.particle_count()));
+    for (size_t vertex = 0; vertex < tube.rest_positions.size(); ++vertex) {
+      start[static_cast<size_t>(model.particle_of_vertex()[vertex])] = tube.rest_positions[vertex];
+    }
+    ClothState state = solver.MakeState(start);
+    solver.Advance(state, 100, {}, 0.0);
+    solver.RaiseOffsets(state, 0.001);
+    solver.Advance(state, 50, {}, 0.0);
+    if (reference.empty()) {
+      reference = state.positions;
+    } else {
+      ASSERT_EQ(std::memcmp(reference.data(), state.positions.data(), reference.size() * sizeof(Float4)), 0)
+          << thread_count << " threads";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fitroom

@@ -1,0 +1,131 @@
+#include "fit_client/fit/solver/drape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "tests/fit_client/collision/shapes.h"
+#include "tests/fit_client/solver/cloth_shapes.h"
+
+namespace fitroom {
+namespace {
+
+SignedDistanceField MakeColumn(double radius) {
+  SerialExecutor serial;
+  return SignedDistanceField::Build(testing::MakeCylinder(radius, -0.2, 0.5, 64, 30), {}, serial).value();
+}
+
+double Girth(const ClothMesh& tube, const std::vector<Eigen::Vector3d>& positions, int columns, int row) {
+  double girth = 0.0;
+  const int back = static_cast<int>(tube.rest_positions.size()) / 2;
+  for (const int first : {0, back}) {
+    for (int column = 0; column < columns; ++column) {
+      const size_t at = static_cast<size_t>(first + row * (columns + 1) + column);
+      girth += (positions[at + 1] - positions[at]).norm();
+    }
+  }
+  return girth;
+}
+
+TEST(Drape, ATubeClosesRoundAColumnAndComesToRest) {
+  // 2 x 24 cm of cloth round a column of 5.5 cm radius (34.6 cm): 13 cm of ease.
+  const ClothMesh tube = testing::MakeTube(0.24, 0.2, 24, 20, 0.12);
+  const SignedDistanceField body = MakeColumn(0.055);
+  SerialExecutor serial;
+  std::vector<DrapeStage> stages;
+  const Result<DrapeResult> result = Drape(tube, tube.rest_positions, body, {}, serial, [&](const DrapeSnapshot& s) {
+    EXPECT_EQ(s.positions.size(), tube.rest_positions.size());
+    if (stages.empty() || stages.back() != s.stage) stages.push_back(s.stage);
+  });
+  ASSERT_TRUE(result.ok()) << result.status().ToString();
+  EXPECT_EQ(result->report.open_seam_count, 0);
+  EXPECT_EQ(result->report.particles_inside + result->report.samples_inside, 0);
+  EXPECT_LT(result->report.strain_p95, 0.05);
+  EXPECT_EQ(result->report.self_crossing_count, 0);
+  for (const SeamPair& pair : tube.seams) {
+    EXPECT_EQ(result->positions[static_cast<size_t>(pair.a)], result->positions[static_cast<size_t>(pair.b)]);
+  }
+  EXPECT_EQ(stages, (std::vector<DrapeStage>{DrapeStage::kStart, DrapeStage::kMerging, DrapeStage::kStitched,
+                                             DrapeStage::kDraping, DrapeStage::kFinished}));
+}
+
+TEST(Drape, ATightTubeIsStretchedByTheColumnsGirth) {
+  // 2 x 16 cm round a column whose offset surface has radius 5.5 cm: hoop strain = 2 pi r / 0.32 - 1 = 8 %.
+  const ClothMesh tube = testing::MakeTube(0.16, 0.1, 16, 10, 0.1);
+  DrapeOptions options;
+  options.contact_offset = 0.003;
+  options.gravity.setZero();
+  options.material.stretch_stiffness = 100.0;
+  const SignedDistanceField body = MakeColumn(0.055 - options.contact_offset);
+  SerialExecutor serial;
+  const Result<DrapeResult> result = Drape(tube, tube.rest_positions, body, options, serial, {});
+  ASSERT_TRUE(result.ok());
+  ASSERT_EQ(result->report.open_seam_count, 0) << result->report.finishing_reason;
+  EXPECT_EQ(result->report.outcome, DrapeOutcome::kAtRest) << result->report.finishing_reason;
+  // Chords of a circle are a little shorter than the arc.
+  const double expected = 2.0 * M_PI * 0.055 / 0.32 - 1.0;
+  EXPECT_NEAR(Girth(tube, result->positions, 16, 5) / 0.32 - 1.0, expected, 0.012);
+  EXPECT_EQ(result->report.particles_inside + result->report.samples_inside, 0);
+}
+
+TEST(Drape, AGarmentThatIsFarTooSmallEndsWithThatOutcome) {
+  const ClothMesh tube = testing::MakeTube(0.1, 0.08, 10, 8, 0.1);  // 20 cm of cloth round 50 cm of body.
+  const SignedDistanceField body = MakeColumn(0.08);
+  SerialExecutor serial;
+  DrapeOptions options;
+  options.draping_substep_limit = 600;
+  const Result<DrapeResult> result = Drape(tube, tube.rest_positions, body, options, serial, {});
+  ASSERT_TRUE(result.ok()) << result.status().ToString();
+  EXPECT_EQ(result->report.outcome, DrapeOutcome::kSeamsOpen);
+  EXPECT_GT(result->report.open_seam_count, 0);
+  EXPECT_NE(result->report.finishing_reason.find("does not close"), std::string::npos);
+  EXPECT_LT(result->report.deepest_penetration, 1e-4);
+  for (const Eigen::Vector3d& position : result->positions) EXPECT_TRUE(position.allFinite());
+}
+
+TEST(Drape, GivesTheSameForAnyThreadCount) {
+  const ClothMesh tube = testing::MakeTube(0.24, 0.2, 48, 40, 0.12);
+  const SignedDistanceField body = MakeColumn(0.055);
+  DrapeOptions options;
+  options.draping_substep_limit = 200;
+  std::vector<Eigen::Vector3d> reference;
+  for (const int thread_count : {1, 2, 3}) {
+    ThreadPool pool(thread_count);
+    const Result<DrapeResult> result = Drape(tube, tube.rest_positions, body, options, pool, {});
+    ASSERT_TRUE(result.ok());
+    if (reference.empty()) reference = result->positions;
+    EXPECT_EQ(result->positions, reference) << thread_count << " threads";
+  }
+}
+
+TEST(Drape, RefusesInputThatIsNotFiniteOrDoesNotMatch) {
+  const ClothMesh tube = testing::MakeTube(0.2, 0.1, 8, 4, 0.12);
+  const SignedDistanceField body = testing::MakeFarBody();
+  SerialExecutor serial;
+  std::vector<Eigen::Vector3d> start = tube.rest_positions;
+  start.pop_back();
+  EXPECT_EQ(Drape(tube, start, body, {}, serial, {}).status().reason(), "START_SIZE_MISMATCH");
+  start = tube.rest_positions;
+  start[3].x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(Drape(tube, start, body, {}, serial, {}).status().reason(), "START_NOT_FINITE");
+  ClothMesh broken = tube;
+  broken.seams[0].b = 100000;
+  EXPECT_EQ(Drape(broken, tube.rest_positions, body, {}, serial, {}).status().reason(), "SEAM_INDEX_OUT_OF_RANGE");
+  DrapeOptions options;
+  options.touching_vertices = {-1};
+  EXPECT_EQ(Drape(tube, tube.rest_positions, body, options, serial, {}).status().reason(), "VERTEX_OUT_OF_RANGE");
+  EXPECT_EQ(Drape({}, {}, body, {}, serial, {}).status().code(), StatusCode::kInvalidArgument);
+}
+
+TEST(Drape, WrittenSeamPartnersLieApartByTheGap) {
+  const ClothMesh tube = testing::MakeTube(0.2, 0.1, 8, 4, 0.0);
+  const std::vector<Eigen::Vector3d> apart = SeparateSeamPartners(tube, tube.rest_positions, 1e-4);
+  for (size_t vertex = 0; vertex < apart.size(); ++vertex) {
+    EXPECT_LE((apart[vertex] - tube.rest_positions[vertex]).norm(), 0.5e-4 + 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace fitroom
