@@ -12,7 +12,7 @@
 namespace fitroom::shop_catalog {
 namespace {
 
-constexpr int kWorkingSide = 400;  // Longest side at which the methods run (unit: pixel).
+constexpr int kWorkingSide = 320;  // Longest side at which the methods run (unit: pixel).
 constexpr double kClearAgreement = 0.97;
 constexpr double kClearContrast = 0.85;
 constexpr int kPaletteSize = 5;       // Colours of the background that the frame may show.
