@@ -40,7 +40,7 @@ constexpr CornerModel kHem = {{85, 35}, {-0.33, 0.09}, {0.98, 0.04}};
 constexpr CornerModel kUnderarm = {{-80, 40}, {-0.33, 0.09}, {0.38, 0.09}};
 constexpr CornerModel kSleeveBottom = {{80, 35}, {-0.47, 0.13}, {0.38, 0.13}};
 constexpr CornerModel kSleeveTop = {{85, 35}, {-0.55, 0.13}, {0.24, 0.12}};
-constexpr CornerModel kNeck = {{40, 30}, {-0.13, 0.045}, {0.03, 0.04}};
+constexpr CornerModel kNeck = {{55, 18}, {-0.13, 0.09}, {0.03, 0.05}};
 
 // What the outline does from one corner to the next, on the image's left.
 struct PieceModel {

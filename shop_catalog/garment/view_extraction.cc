@@ -25,6 +25,7 @@ constexpr double kMaxOnFrame = 0.012;  // Part of the outline that may lie on th
 constexpr double kGoodShape = 1.5;
 constexpr double kDoubtfulShape = 2.6;
 constexpr double kWrongShape = 3.6;
+constexpr double kLeastChestOfLength = 0.46;  // Flat chest over length: T-shirts 0.5 to 0.9.
 constexpr double kLeastMaskConfidence = 0.35;
 constexpr double kLeastPointConfidence = 0.45;
 
@@ -148,8 +149,13 @@ Status CheckSilhouette(const Silhouette& silhouette, cv::Size size) {
 }
 
 Status CheckShape(const Silhouette& silhouette, GarmentKind kind) {
-  const double cost = silhouette.corners ? silhouette.corners->cost : 1e9;
-  if (cost < kDoubtfulShape) return {};
+  double cost = silhouette.corners ? silhouette.corners->cost : 1e9;
+  if (cost < kDoubtfulShape) {
+    const TopCorners& corners = *silhouette.corners;
+    const double chest = (corners.pixel[kUnderarmLeft] - corners.pixel[kUnderarmRight]).norm();
+    if (chest > kLeastChestOfLength * LengthInPixels(corners)) return {};
+    cost = kWrongShape;  // A dress with short sleeves has all the corners of a T-shirt, but is longer.
+  }
   const std::string name(GarmentKindName(kind));
   if (silhouette.confidence < kLeastMaskConfidence) {
     return FailedPrecondition("NO_GARMENT_FOUND", "nothing with the shape of a " + name +
