@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "common/body/arm_separation.h"
+#include "common/body/outline_profile.h"
 #include "common/body/polygon.h"
 
 namespace fitroom {
@@ -20,8 +21,15 @@ constexpr double kArmsSurelyApart = 0.64;
 // below. In the external population the neck has 0.75 from 3 to 9 mm above the armpit, and 1 or more beyond 15 mm.
 constexpr double kFoldedNeck = 0.75;
 constexpr double kTouchingNeck = 1.0;
-constexpr double kFoldRise = 0.006;        // (unit: metre)
-constexpr size_t kFoldDepth = 4;           // Slices: folds this far above a free arm are the armpit's own (15 mm).
+constexpr double kFoldRise = 0.006;  // (unit: metre)
+constexpr size_t kFoldDepth = 4;     // Slices: folds this far above a free arm are the armpit's own (15 mm).
+// Thighs in contact are shallower on the midline than this part of the section's depth. Free crotches of the external
+// population reach it 15 to 30 mm above where the legs join, thighs in contact farther up than that many slices.
+constexpr double kContactDepth = 0.62;
+constexpr size_t kContactSlices = 9;
+constexpr double kCrotchDepth = 0.02;  // (unit: metre)
+// Above this part of the stature there is no crotch.
+constexpr double kHighestCrotch = 0.52;
 constexpr double kArmJump = 0.05;          // An arm's middle moves less between two slices (unit: metre).
 constexpr double kTouchDoubt = 0.2;        // Counted as bridged outline (unit: metre).
 constexpr double kArmpitUsual = 0.753;     // Of the stature.
@@ -131,6 +139,7 @@ class Slicer {
                                                         below->LegLoop(Side::kRight)->centroid};
         if (LegsAreJoined(slice.loops, middles)) {
           RefineCrotch(below->height, slice.height, middles);
+          PassTouchingThighs(k);
           return;
         }
       }
@@ -159,6 +168,26 @@ class Slicer {
     body_.crotch.position = Eigen::Vector3d(gap.x(), joined, gap.y());
     body_.crotch.bridge_length = below[0].bridge_length + below[1].bridge_length;
     body_.crotch.found = true;
+  }
+
+  // Thighs that touch join below the crotch, over a contact that is shallow from front to back. Moves the crotch up to
+  // where the midline is as deep as at a crotch; leaves it where that is the case at once, or over a hole.
+  void PassTouchingThighs(size_t joined) {
+    MergePoint& crotch = body_.crotch;
+    if (!crotch.found || crotch.bridge_length > 0.01) return;
+    for (size_t k = joined + 1; k < SliceNumber(kHighestCrotch); ++k) {
+      const BodySlice& slice = body_.slices[k];
+      if (slice.loops.empty()) return;
+      const std::optional<DepthRange> midline = DepthAt(slice.loops[0], crotch.position.x());
+      const double depth = slice.loops[0].bounds.sizes().y();
+      if (!midline || midline->front - midline->back < kContactDepth * depth) continue;
+      if (k <= joined + kContactSlices) return;
+      crotch.position =
+          Eigen::Vector3d(crotch.position.x(), slice.height - kCrotchDepth, 0.5 * (midline->front + midline->back));
+      crotch.bridge_length = kTouchDoubt;
+      crotch.touching = true;
+      return;
+    }
   }
 
   void FollowTrunk() {

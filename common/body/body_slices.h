@@ -39,7 +39,7 @@ struct MergePoint {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   double bridge_length = 0.0;  // Of the outlines there: how much of them was guessed over holes.
   bool found = false;
-  bool touching = false;  // Arm and trunk touch below: the true place is this or higher.
+  bool touching = false;  // Both parts touch below: the place was told from the outline's shape.
 };
 
 // A body in its canonical frame cut into horizontal slices every 5 mm, with the outlines followed from slice to slice.

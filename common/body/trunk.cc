@@ -58,7 +58,7 @@ double LowestOnMidline(const BodyShape& shape, const MergePoint& merge) {
 void FindCrotch(const BodyShape& shape, BodyLandmarks& landmarks) {
   const MergePoint& merge = shape.slices.crotch;
   Eigen::Vector3d crotch = merge.position;
-  if (merge.bridge_length > 0.01) {
+  if (merge.bridge_length > 0.01 && !merge.touching) {
     const double lowest = LowestOnMidline(shape, merge);
     if (std::abs(lowest - crotch.y()) < 0.05) crotch.y() = std::max(crotch.y(), lowest);
   }
