@@ -10,6 +10,9 @@
 namespace fitroom::body_center {
 namespace {
 
+// Of a scan that came packed (unit: byte); keeps the memory of one registration bounded.
+constexpr size_t kMaxUnpackedSize = size_t{256} << 20;
+
 Status Cancelled() {
   return Status(StatusCode::kCancelled, "CANCELLED", "the client is gone; register the scan again");
 }
@@ -19,7 +22,7 @@ Status Cancelled() {
 Result<AcceptedScan> AcceptScan(std::string_view bytes, std::string_view file_name, const FrameOverrides& overrides,
                                 const std::function<bool()>& is_cancelled) {
   const auto cancelled = [&] { return is_cancelled && is_cancelled(); };
-  FR_ASSIGN_OR_RETURN(RawScan raw, ReadScan(bytes, file_name));
+  FR_ASSIGN_OR_RETURN(RawScan raw, ReadScan(bytes, file_name, {.max_file_size = kMaxUnpackedSize}));
   if (cancelled()) return Cancelled();
   Result<BodyAnalysis> analysis = AnalyseScan(raw.mesh, overrides);
   if (!analysis.ok()) return analysis.status().At(file_name);

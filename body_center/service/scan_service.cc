@@ -42,7 +42,8 @@ Result<ScanName> AfterFromToken(const std::string& token) {
 // Takes the chunks of one upload stream and commits them in groups.
 class UploadSink final : public rpc::MessageSink<v1::UploadScanRequest> {
  public:
-  UploadSink(BodyStore& store, v1::UploadScanResponse* response) : store_(store), response_(response) {}
+  UploadSink(BodyStore& store, rpc::ByteBudget& budget, v1::UploadScanResponse* response)
+      : store_(store), response_(response), loan_(budget) {}
 
   Result<int64_t> Accept(const v1::UploadScanRequest& request) override {
     FR_RETURN_IF_ERROR(CheckUploadName(request.upload()));
@@ -55,7 +56,9 @@ class UploadSink final : public rpc::MessageSink<v1::UploadScanRequest> {
       return Status(StatusCode::kOutOfRange, "UPLOAD_TOO_LONG", "more bytes than were stated at the start");
     }
     pending_ += request.chunk().data();
-    if (pending_.size() >= kCommitSize) FR_RETURN_IF_ERROR(Commit());
+    // Where the budget of all streams is used up, a stream commits each chunk at once.
+    const bool may_wait = loan_.TryTake(std::ssize(request.chunk().data()));
+    if (!may_wait || pending_.size() >= kCommitSize) FR_RETURN_IF_ERROR(Commit());
     return std::ssize(request.chunk().data());
   }
 
@@ -84,6 +87,7 @@ class UploadSink final : public rpc::MessageSink<v1::UploadScanRequest> {
   Status Commit() {
     if (pending_.empty()) return Status();
     const std::string bytes = std::exchange(pending_, {});
+    loan_.GiveBackAll();
     FR_ASSIGN_OR_RETURN(upload_.committed_size, store_.AppendToUpload(upload_.id, upload_.committed_size, bytes));
     return Status();
   }
@@ -92,6 +96,7 @@ class UploadSink final : public rpc::MessageSink<v1::UploadScanRequest> {
   v1::UploadScanResponse* const response_;
   ScanUpload upload_;
   std::string pending_;
+  rpc::ByteLoan loan_;
 };
 
 // Makes the chunks of one download, out of the store's rows.
@@ -161,7 +166,7 @@ ServerUnaryReactor* ScanServiceImpl::StartScanUpload(CallbackServerContext* cont
 grpc::ServerReadReactor<v1::UploadScanRequest>* ScanServiceImpl::UploadScan(CallbackServerContext* context,
                                                                             v1::UploadScanResponse* response) {
   return new rpc::SinkReactor<v1::UploadScanRequest>(context, runtime_, "UploadScan",
-                                                     std::make_unique<UploadSink>(store_, response));
+                                                     std::make_unique<UploadSink>(store_, runtime_.bytes, response));
 }
 
 ServerUnaryReactor* ScanServiceImpl::GetScanUpload(CallbackServerContext* context,

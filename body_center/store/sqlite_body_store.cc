@@ -25,6 +25,10 @@ using sqlite::Transaction;
 constexpr size_t kOriginalBlockSize = size_t{960} << 10;
 constexpr int kOriginalZstdLevel = 3;
 
+// Conditions of SelectUpload().
+constexpr char kById[] = "upload = ?1 AND ?2 = ''";
+constexpr char kByName[] = "body = ?1 AND scan = ?2";
+
 struct UploadRow {
   ScanUpload upload;
   int64_t blob = 0;
@@ -85,9 +89,8 @@ class SqliteBodyStore final : public BodyStore {
   Result<ScanUpload> StartUpload(const ScanUploadStatement& statement) override {
     const std::lock_guard guard(writer_mutex_);
     FR_ASSIGN_OR_RETURN(Transaction transaction, Transaction::Begin(writer_));
-    if (SelectScan(writer_, statement.name).ok()) return ScanExists(statement.name);
-    Result<UploadRow> found =
-        SelectUpload(writer_, "body = ?1 AND scan = ?2", statement.name.body, statement.name.scan);
+    FR_RETURN_IF_ERROR(CheckNotPublished(statement.name));
+    Result<UploadRow> found = SelectUpload(writer_, kByName, statement.name.body, statement.name.scan);
     if (found.ok()) {
       if (found->upload.statement == statement) return found->upload;
       return FailedPrecondition("UPLOAD_DIFFERS",
@@ -104,7 +107,7 @@ class SqliteBodyStore final : public BodyStore {
 
   Result<ScanUpload> FindUpload(std::string_view id) override {
     const std::lock_guard guard(writer_mutex_);
-    FR_ASSIGN_OR_RETURN(UploadRow row, SelectUpload(writer_, "upload = ?1 AND ?2 = ''", id, ""));
+    FR_ASSIGN_OR_RETURN(UploadRow row, SelectUpload(writer_, kById, id, ""));
     return std::move(row.upload);
   }
 
@@ -112,7 +115,7 @@ class SqliteBodyStore final : public BodyStore {
     const std::vector<PackedBlock> blocks = PackBlocks(bytes);
     const std::lock_guard guard(writer_mutex_);
     FR_ASSIGN_OR_RETURN(Transaction transaction, Transaction::Begin(writer_));
-    FR_ASSIGN_OR_RETURN(const UploadRow row, SelectUpload(writer_, "upload = ?1 AND ?2 = ''", id, ""));
+    FR_ASSIGN_OR_RETURN(const UploadRow row, SelectUpload(writer_, kById, id, ""));
     int64_t end = offset;
     for (const PackedBlock& block : blocks) {
       FR_RETURN_IF_ERROR(sqlite::AppendBlobBlock(writer_, row.blob, {end, block.size, AsBytes(block.stored)}));
@@ -130,7 +133,7 @@ class SqliteBodyStore final : public BodyStore {
 
   Result<std::string> ReadUpload(std::string_view id) override {
     const std::lock_guard guard(reader_mutex_);
-    FR_ASSIGN_OR_RETURN(const UploadRow row, SelectUpload(reader_, "upload = ?1 AND ?2 = ''", id, ""));
+    FR_ASSIGN_OR_RETURN(const UploadRow row, SelectUpload(reader_, kById, id, ""));
     std::string bytes;
     bytes.reserve(static_cast<size_t>(row.upload.committed_size));
     FR_RETURN_IF_ERROR(sqlite::VisitBlobBlocks(reader_, row.blob, [&](const sqlite::BlobBlock& block) -> Status {
@@ -144,7 +147,7 @@ class SqliteBodyStore final : public BodyStore {
   Status DropUpload(std::string_view id) override {
     const std::lock_guard guard(writer_mutex_);
     FR_ASSIGN_OR_RETURN(Transaction transaction, Transaction::Begin(writer_));
-    const Result<UploadRow> row = SelectUpload(writer_, "upload = ?1 AND ?2 = ''", id, "");
+    const Result<UploadRow> row = SelectUpload(writer_, kById, id, "");
     if (!row.ok()) return row.status().code() == StatusCode::kNotFound ? Status() : row.status();
     FR_RETURN_IF_ERROR(DeleteUpload(id));
     FR_RETURN_IF_ERROR(sqlite::DeleteBlob(writer_, row->blob));
@@ -170,7 +173,7 @@ class SqliteBodyStore final : public BodyStore {
   Status PublishScan(std::string_view upload_id, const ScanRecord& scan, std::string_view packed_mesh) override {
     const std::lock_guard guard(writer_mutex_);
     FR_ASSIGN_OR_RETURN(Transaction transaction, Transaction::Begin(writer_));
-    FR_ASSIGN_OR_RETURN(const UploadRow row, SelectUpload(writer_, "upload = ?1 AND ?2 = ''", upload_id, ""));
+    FR_ASSIGN_OR_RETURN(const UploadRow row, SelectUpload(writer_, kById, upload_id, ""));
     const ScanUploadStatement& statement = row.upload.statement;
     if (row.upload.committed_size != statement.size) {
       return FailedPrecondition("UPLOAD_INCOMPLETE",
@@ -178,7 +181,7 @@ class SqliteBodyStore final : public BodyStore {
     }
     FR_CHECK(scan.name == statement.name && scan.original_hash == statement.hash);
     FR_CHECK(scan.original_size == statement.size && scan.packed_mesh_size == std::ssize(packed_mesh));
-    if (SelectScan(writer_, scan.name).ok()) return ScanExists(scan.name);
+    FR_RETURN_IF_ERROR(CheckNotPublished(scan.name));
     FR_ASSIGN_OR_RETURN(const int64_t mesh_blob, sqlite::CreateBlob(writer_));
     for (size_t start = 0; start < packed_mesh.size(); start += sqlite::kMaxBlobRowSize) {
       const std::string_view part = packed_mesh.substr(start, sqlite::kMaxBlobRowSize);
@@ -218,7 +221,13 @@ class SqliteBodyStore final : public BodyStore {
   }
 
  private:
-  // `condition` is one of this file's literals over ?1 and ?2.
+  Status CheckNotPublished(const ScanName& name) {
+    const Status found = SelectScan(writer_, name).status();
+    if (found.ok()) return ScanExists(name);
+    return found.code() == StatusCode::kNotFound ? Status() : found;
+  }
+
+  // `condition` is kById (the second key is empty) or kByName.
   static Result<UploadRow> SelectUpload(Database& database, const char* condition, std::string_view first,
                                         std::string_view second) {
     FR_ASSIGN_OR_RETURN(Statement select,

@@ -10,6 +10,8 @@
 #include <grpcpp/health_check_service_interface.h>
 #include <spdlog/spdlog.h>
 
+#include "common/rpc/grpc_log.h"
+
 namespace fitroom::rpc {
 namespace {
 
@@ -61,6 +63,7 @@ Result<std::string> CheckLoopbackAddress(const std::string& listen) {
 Result<std::unique_ptr<Server>> Server::Start(const ServerOptions& options,
                                               const std::vector<grpc::Service*>& services) {
   FR_ASSIGN_OR_RETURN(const std::string listen, CheckLoopbackAddress(options.listen));
+  RouteGrpcLog();
   grpc::EnableDefaultHealthCheckService(true);
   grpc::ServerBuilder builder;
   int port = 0;

@@ -8,6 +8,7 @@
 
 #include <grpcpp/support/server_callback.h>
 
+#include "common/rpc/byte_budget.h"
 #include "common/rpc/call_log.h"
 #include "common/rpc/stall_watch.h"
 #include "common/rpc/status_conversion.h"
@@ -21,6 +22,7 @@ struct CallRuntime {
   explicit CallRuntime(int thread_count = 4, const StreamLimits& limits = {})
       : streams(limits), workers(thread_count, /*queue_limit=*/256) {}
 
+  ByteBudget bytes{int64_t{64} << 20};  // What uploads may collect before they are committed.
   StallWatch stalls;
   StreamLimiter streams;
   WorkerPool workers;  // Last: its threads end first.

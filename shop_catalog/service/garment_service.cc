@@ -22,7 +22,8 @@ constexpr size_t kCommitSize = size_t{4} << 20;  // What a stream collects befor
 // Takes the chunks of one photograph's stream and commits them in groups.
 class PhotoSink final : public rpc::MessageSink<v1::UploadPhotoRequest> {
  public:
-  PhotoSink(GarmentStore& store, v1::UploadPhotoResponse* response) : store_(store), response_(response) {}
+  PhotoSink(GarmentStore& store, rpc::ByteBudget& budget, v1::UploadPhotoResponse* response)
+      : store_(store), response_(response), loan_(budget) {}
 
   Result<int64_t> Accept(const v1::UploadPhotoRequest& request) override {
     FR_RETURN_IF_ERROR(CheckNames(request));
@@ -35,7 +36,9 @@ class PhotoSink final : public rpc::MessageSink<v1::UploadPhotoRequest> {
       return Status(StatusCode::kOutOfRange, "UPLOAD_TOO_LONG", "more bytes than were stated at the start");
     }
     pending_ += request.chunk().data();
-    if (pending_.size() >= kCommitSize) FR_RETURN_IF_ERROR(Commit());
+    // Where the budget of all streams is used up, a stream commits each chunk at once.
+    const bool may_wait = loan_.TryTake(std::ssize(request.chunk().data()));
+    if (!may_wait || pending_.size() >= kCommitSize) FR_RETURN_IF_ERROR(Commit());
     return std::ssize(request.chunk().data());
   }
 
@@ -70,6 +73,7 @@ class PhotoSink final : public rpc::MessageSink<v1::UploadPhotoRequest> {
   Status Commit() {
     if (pending_.empty()) return Status();
     const std::string bytes = std::exchange(pending_, {});
+    loan_.GiveBackAll();
     FR_ASSIGN_OR_RETURN(committed_size_, store_.AppendToUpload(upload_, side_, committed_size_, bytes));
     return Status();
   }
@@ -81,6 +85,7 @@ class PhotoSink final : public rpc::MessageSink<v1::UploadPhotoRequest> {
   int64_t stated_size_ = 0;
   int64_t committed_size_ = 0;
   std::string pending_;
+  rpc::ByteLoan loan_;
 };
 
 // Makes the chunks of one image, out of the store's rows.
@@ -145,7 +150,7 @@ ServerUnaryReactor* GarmentServiceImpl::StartGarmentUpload(CallbackServerContext
 grpc::ServerReadReactor<v1::UploadPhotoRequest>* GarmentServiceImpl::UploadPhoto(CallbackServerContext* context,
                                                                                  v1::UploadPhotoResponse* response) {
   return new rpc::SinkReactor<v1::UploadPhotoRequest>(context, runtime_, "UploadPhoto",
-                                                      std::make_unique<PhotoSink>(store_, response));
+                                                      std::make_unique<PhotoSink>(store_, runtime_.bytes, response));
 }
 
 ServerUnaryReactor* GarmentServiceImpl::GetGarmentUpload(CallbackServerContext* context,

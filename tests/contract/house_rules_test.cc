@@ -23,6 +23,8 @@ struct Rule {
 const std::string kGrpc = R"(^(grpc|grpcpp|google/protobuf)/|\.pb\.h$|^common/rpc/)";
 const std::string kOpenCv = R"(^opencv2/)";
 const std::string kSqlite = R"(^sqlite3\.h$|^common/sqlite/)";
+// Bodies, in every form that they have: the shop's side sees none of it.
+const std::string kBodies = R"(^common/(body|scan_record|scan_file)/|^common/remote/body|^fitroom/body/)";
 const std::string kPrograms = R"(^(body_center|shop_catalog|fit_client)/)";
 
 const std::vector<Rule> kRules = {
@@ -35,8 +37,11 @@ const std::vector<Rule> kRules = {
     {"common/image", {R"(^common/(?!base/|image/))", kGrpc, kSqlite}},
     {"common/sqlite", {R"(^common/(?!base/|sqlite/))", kGrpc, kOpenCv}},
     {"common/rpc", {R"(^common/(?!base/|rpc/))", kOpenCv, R"(^sqlite3\.h$)"}},
+    {"common/remote", {kOpenCv, kSqlite}},
+    {"common/scan_record", {kGrpc, kOpenCv, kSqlite}},
+    {"common/garment_record", {kGrpc, kOpenCv, kSqlite, kBodies}},
     {"body_center", {R"(^(shop_catalog|fit_client)/)", kOpenCv}},
-    {"shop_catalog", {R"(^(body_center|fit_client)/)"}},
+    {"shop_catalog", {R"(^(body_center|fit_client)/)", kBodies}},
     {"fit_client", {R"(^(body_center|shop_catalog)/)", kSqlite}},
     {"body_center/scan", {kGrpc, kSqlite}},
     {"shop_catalog/garment", {kGrpc, kSqlite}},
@@ -44,6 +49,7 @@ const std::vector<Rule> kRules = {
     {"shop_catalog/store", {kGrpc, kOpenCv}},
     {"body_center/service", {R"(^sqlite3\.h$)", kOpenCv}},
     {"shop_catalog/service", {R"(^sqlite3\.h$)", kOpenCv}},
+    {"fit_client/cache", {kGrpc, kOpenCv}},
     {"fit_client/fit",
      {kGrpc, kOpenCv, kSqlite, R"(^(CLI|spdlog|nlohmann|GL|tbb|oneapi)/)", R"(^(chrono|thread)$)",
       R"(^fit_client/(?!fit/))"}},
@@ -86,6 +92,19 @@ TEST(HouseRules, NobodyIncludesWhatTheirRoomMustNotSee) {
       }
     }
   }
+}
+
+TEST(HouseRules, TheShopsClientSeesNoBodies) {
+  const fs::path root = FITROOM_SOURCE_DIR;
+  int file_count = 0;
+  for (const fs::path& file : SourcesBelow(root / "common/remote")) {
+    if (!file.filename().string().starts_with("shop_")) continue;
+    ++file_count;
+    for (const std::string& include : IncludesOf(file)) {
+      EXPECT_FALSE(std::regex_search(include, std::regex(kBodies))) << file << " includes " << include;
+    }
+  }
+  EXPECT_EQ(file_count, 4);
 }
 
 TEST(HouseRules, HeadersStartWithPragmaOnce) {
