@@ -61,7 +61,7 @@ class PullTest : public ::testing::Test {
   void Publish(const std::string& id, uint32_t seed, size_t size = 400000) {
     const std::string front = FakePhoto(seed, size);
     const std::string back = FakePhoto(seed + 1, size);
-    const auto record = shop_->Publish(StatementOf(id, front, back), {front, back}, {});
+    const auto record = shop_->Publish(testing::GarmentStatementOf(id, front, back), {front, back}, {});
     EXPECT_TRUE(record.ok()) << record.status().ToString();
   }
 

@@ -37,7 +37,7 @@ class GarmentServiceTest : public ::testing::Test {
   Result<GarmentRecord> Publish(const std::string& id, const std::string& front, const std::string& back) {
     std::vector<std::string_view> photos = {front};
     if (!back.empty()) photos.push_back(back);
-    return client_->Publish(StatementOf(id, front, back), photos, {});
+    return client_->Publish(GarmentStatementOf(id, front, back), photos, {});
   }
 
   std::string Download(const std::string& id, const std::string& image, int64_t offset) {
@@ -112,7 +112,7 @@ TEST_F(GarmentServiceTest, ShowsNothingOfWhatIsRefused) {
 TEST_F(GarmentServiceTest, ShowsNothingBeforeItIsFinishedAndGoesOnAfterARestart) {
   const std::string front = FakePhoto(1, 500000);
   const std::string back = FakePhoto(2, 400000);
-  const GarmentUploadStatement statement = StatementOf("tee", front, back);
+  const GarmentUploadStatement statement = GarmentStatementOf("tee", front, back);
   const Result<GarmentUpload> upload = client_->StartUpload(statement);
   ASSERT_TRUE(upload.ok()) << upload.status().ToString();
   ASSERT_TRUE(client_->SendBytes(*upload, GarmentSide::kBack, 0, back.substr(0, 123456)).ok());
@@ -130,7 +130,7 @@ TEST_F(GarmentServiceTest, ShowsNothingBeforeItIsFinishedAndGoesOnAfterARestart)
 
 TEST_F(GarmentServiceTest, RefusesPhotographsThatAreNotTheStatedOnes) {
   const std::string front = FakePhoto(1, 5000);
-  const Result<GarmentUpload> upload = client_->StartUpload(StatementOf("tee", front, ""));
+  const Result<GarmentUpload> upload = client_->StartUpload(GarmentStatementOf("tee", front, ""));
   ASSERT_TRUE(upload.ok());
   EXPECT_EQ(client_->SendBytes(*upload, GarmentSide::kBack, 0, "abc").status().reason(), "PHOTO_NOT_STATED");
   EXPECT_EQ(client_->SendBytes(*upload, GarmentSide::kFront, 0, front + "x").status().reason(), "UPLOAD_TOO_LONG");
@@ -168,7 +168,7 @@ TEST_F(GarmentServiceTest, ListsInOrderWhateverThePage) {
 
 TEST_F(GarmentServiceTest, RefusesStatementsOutOfRange) {
   const auto refused = [this](const std::function<void(GarmentUploadStatement&)>& spoil) {
-    GarmentUploadStatement statement = StatementOf("tee", FakePhoto(1, 100), "");
+    GarmentUploadStatement statement = GarmentStatementOf("tee", FakePhoto(1, 100), "");
     spoil(statement);
     return client_->StartUpload(statement).status().code() == StatusCode::kInvalidArgument;
   };
@@ -191,7 +191,7 @@ TEST_F(GarmentServiceTest, RefusesStatementsOutOfRange) {
 
 TEST_F(GarmentServiceTest, RefusesAnAnnotationThatIsNone) {
   const std::string front = FakePhoto(1, 100);
-  GarmentUploadStatement statement = StatementOf("tee", front, "");
+  GarmentUploadStatement statement = GarmentStatementOf("tee", front, "");
   statement.annotation_json = "{\"front\": 7";
   const Status status = client_->Publish(statement, {front}, {}).status();
   EXPECT_EQ(status.code(), StatusCode::kInvalidArgument) << status.ToString();
@@ -200,7 +200,7 @@ TEST_F(GarmentServiceTest, RefusesAnAnnotationThatIsNone) {
 
 TEST_F(GarmentServiceTest, RefusesDamagedChunks) {
   const std::string front = FakePhoto(1, 5000);
-  const Result<GarmentUpload> upload = client_->StartUpload(StatementOf("tee", front, ""));
+  const Result<GarmentUpload> upload = client_->StartUpload(GarmentStatementOf("tee", front, ""));
   ASSERT_TRUE(upload.ok());
   const auto stub = shop::v1::GarmentService::NewStub(rpc::OpenChannel(server_->address()));
   const auto context = rpc::MakeClientContext(std::chrono::seconds(10));

@@ -25,7 +25,7 @@ std::string FakePhoto(uint32_t seed, size_t size) {
   return photo;
 }
 
-GarmentUploadStatement StatementOf(const std::string& id, const std::string& front, const std::string& back) {
+GarmentUploadStatement GarmentStatementOf(const std::string& id, const std::string& front, const std::string& back) {
   GarmentUploadStatement statement;
   statement.id = id;
   statement.title = "Garment " + id;

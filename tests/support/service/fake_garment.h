@@ -11,7 +11,7 @@ namespace fitroom::testing {
 std::string FakePhoto(uint32_t seed, size_t size);
 
 // The statement of a T-shirt with a front and, unless it is empty, a back.
-GarmentUploadStatement StatementOf(const std::string& id, const std::string& front, const std::string& back);
+GarmentUploadStatement GarmentStatementOf(const std::string& id, const std::string& front, const std::string& back);
 
 // Makes the garment of tests/support (one that ValidateGarment() accepts) out of what FakePhoto() makes, with the
 // photographs as received; refuses everything else with FAILED_PRECONDITION [NO_GARMENT_FOUND].
