@@ -6,8 +6,9 @@
 #include <cstdint>
 #include <numeric>
 #include <queue>
-#include <span>
+#include <tuple>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -67,23 +68,34 @@ std::vector<int> JoinVertices(const std::vector<Eigen::Vector3d>& vertices) {
   return joined;
 }
 
-// Drops triangles without an area by their indices, and all but the first of those with the same three vertices.
-void DropDoubles(Triangles& triangles) {
-  const auto sorted = [](Eigen::Vector3i t) {
-    std::sort(t.data(), t.data() + 3);
-    return std::array<int, 3>{t[0], t[1], t[2]};
-  };
+// Drops triangles that name a vertex twice, and all but the first of those with the same three vertices.
+void DropDoubles(Triangles& triangles, size_t vertex_count) {
   std::erase_if(triangles, [](const Eigen::Vector3i& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
-  std::vector<size_t> order(triangles.size());
-  std::iota(order.begin(), order.end(), size_t{0});
-  std::vector<std::array<int, 3>> keys;
-  keys.reserve(triangles.size());
-  for (const Eigen::Vector3i& triangle : triangles) keys.push_back(sorted(triangle));
-  std::sort(order.begin(), order.end(),
-            [&](size_t a, size_t b) { return keys[a] != keys[b] ? keys[a] < keys[b] : a < b; });
+  struct Entry {
+    int middle;
+    int high;
+    size_t triangle;
+  };
+  std::vector<uint32_t> begin(vertex_count + 1, 0);
+  for (const Eigen::Vector3i& t : triangles) ++begin[static_cast<size_t>(t.minCoeff()) + 1];
+  for (size_t vertex = 0; vertex < vertex_count; ++vertex) begin[vertex + 1] += begin[vertex];
+  std::vector<uint32_t> next(begin.begin(), begin.end() - 1);
+  std::vector<Entry> entries(triangles.size());
+  for (size_t index = 0; index < triangles.size(); ++index) {
+    const Eigen::Vector3i& t = triangles[index];
+    const int low = t.minCoeff();
+    const int high = t.maxCoeff();
+    entries[next[static_cast<size_t>(low)]++] = {t.sum() - low - high, high, index};
+  }
   std::vector<bool> drop(triangles.size(), false);
-  for (size_t index = 1; index < order.size(); ++index) {
-    drop[order[index]] = keys[order[index]] == keys[order[index - 1]];
+  for (size_t vertex = 0; vertex < vertex_count; ++vertex) {
+    std::sort(entries.begin() + begin[vertex], entries.begin() + begin[vertex + 1], [](const Entry& a, const Entry& b) {
+      return std::tie(a.middle, a.high, a.triangle) < std::tie(b.middle, b.high, b.triangle);
+    });
+    for (uint32_t index = begin[vertex] + 1; index < begin[vertex + 1]; ++index) {
+      drop[entries[index].triangle] =
+          entries[index].middle == entries[index - 1].middle && entries[index].high == entries[index - 1].high;
+    }
   }
   size_t kept = 0;
   for (size_t index = 0; index < triangles.size(); ++index) {
@@ -117,78 +129,75 @@ void DropIslands(const std::vector<Eigen::Vector3d>& vertices, Triangles& triang
                 [&](const Eigen::Vector3i& t) { return area[static_cast<size_t>(FindRoot(parent, t[0]))] < smallest; });
 }
 
-using DirectedEdges = std::unordered_map<uint64_t, int>;
-
 uint64_t EdgeKey(int from, int to) {
   return (static_cast<uint64_t>(static_cast<uint32_t>(from)) << 32) | static_cast<uint32_t>(to);
 }
+using EdgeSet = std::unordered_set<uint64_t>;
 
 // Turns neighbours to face the same way, walking from triangle to triangle, and drops a triangle that wants a directed
 // edge that another one has. Afterwards each directed edge belongs to at most one triangle.
-void OrientAndThin(Triangles& triangles) {
-  std::unordered_map<uint64_t, std::vector<int>> triangles_of_edge;
-  triangles_of_edge.reserve(triangles.size() * 2);
-  const auto undirected = [](int a, int b) { return EdgeKey(std::min(a, b), std::max(a, b)); };
-  for (size_t index = 0; index < triangles.size(); ++index) {
-    const Eigen::Vector3i& t = triangles[index];
-    for (int k = 0; k < 3; ++k) triangles_of_edge[undirected(t[k], t[(k + 1) % 3])].push_back(static_cast<int>(index));
-  }
-  DirectedEdges owner;
-  owner.reserve(triangles.size() * 3);
-  std::vector<char> state(triangles.size(), 0);  // 0 not seen, 1 queued, 2 kept, 3 dropped.
-  std::vector<int> queue;
+void OrientAndThin(Triangles& triangles, size_t vertex_count) {
+  const EdgeList edges = ListEdges(triangles, vertex_count);
+  std::vector<std::array<bool, 2>> taken(edges.begin.size(), {false, false});  // Per edge: falling, rising.
+  enum class State : char { kUnseen, kQueued, kKept, kDropped };
+  std::vector<State> state(triangles.size(), State::kUnseen);
+  // Calls `visit` with each edge of a triangle and whether it rises, as the triangle stands or turned round.
+  const auto for_each_edge = [&](size_t triangle, bool turned, const auto& visit) {
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::Vector3i& t = triangles[triangle];
+      const bool rises = t[k] < t[(k + 1) % 3];
+      visit(static_cast<size_t>(edges.edge_of_corner[3 * triangle + static_cast<size_t>(k)]), rises != turned);
+    }
+  };
+  const auto is_free = [&](size_t triangle, bool turned) {
+    bool all_free = true;
+    for_each_edge(triangle, turned, [&](size_t edge, bool rises) { all_free = all_free && !taken[edge][rises]; });
+    return all_free;
+  };
+  std::vector<bool> turn(triangles.size(), false);
+  std::vector<size_t> queue;
   for (size_t seed = 0; seed < triangles.size(); ++seed) {
-    if (state[seed] != 0) continue;
-    queue.assign(1, static_cast<int>(seed));
-    state[seed] = 1;
+    if (state[seed] != State::kUnseen) continue;
+    queue.assign(1, seed);
+    state[seed] = State::kQueued;
     for (size_t next = 0; next < queue.size(); ++next) {
-      const size_t index = static_cast<size_t>(queue[next]);
-      Eigen::Vector3i& t = triangles[index];
-      const auto conflicts = [&](const Eigen::Vector3i& c) {
-        return static_cast<int>(owner.contains(EdgeKey(c[0], c[1]))) +
-               static_cast<int>(owner.contains(EdgeKey(c[1], c[2]))) +
-               static_cast<int>(owner.contains(EdgeKey(c[2], c[0])));
-      };
-      const Eigen::Vector3i turned(t[0], t[2], t[1]);
-      if (conflicts(t) > 0) {
-        if (conflicts(turned) > 0) {
-          state[index] = 3;
-          continue;
-        }
-        t = turned;
+      const size_t triangle = queue[next];
+      const bool turned = !is_free(triangle, false);
+      if (turned && !is_free(triangle, true)) {
+        state[triangle] = State::kDropped;
+        continue;
       }
-      state[index] = 2;
-      for (int k = 0; k < 3; ++k) {
-        owner[EdgeKey(t[k], t[(k + 1) % 3])] = static_cast<int>(index);
-        const std::vector<int>& neighbours = triangles_of_edge[undirected(t[k], t[(k + 1) % 3])];
-        if (neighbours.size() > 2) continue;  // Which of many belongs on the other side is not known here.
-        for (const int neighbour : neighbours) {
-          if (state[static_cast<size_t>(neighbour)] != 0) continue;
-          state[static_cast<size_t>(neighbour)] = 1;
+      state[triangle] = State::kKept;
+      turn[triangle] = turned;
+      for_each_edge(triangle, turned, [&](size_t edge, bool rises) {
+        taken[edge][rises] = true;
+        if (edges.begin[edge + 1] - edges.begin[edge] > 2) return;  // Which of many goes on here is not known.
+        for (uint32_t entry = edges.begin[edge]; entry < edges.begin[edge + 1]; ++entry) {
+          const size_t neighbour = static_cast<size_t>(edges.corners[entry] / 3);
+          if (state[neighbour] != State::kUnseen) continue;
+          state[neighbour] = State::kQueued;
           queue.push_back(neighbour);
         }
-      }
+      });
     }
   }
   size_t kept = 0;
   for (size_t index = 0; index < triangles.size(); ++index) {
-    if (state[index] == 2) triangles[kept++] = triangles[index];
+    if (state[index] != State::kKept) continue;
+    if (turn[index]) std::swap(triangles[index][1], triangles[index][2]);
+    triangles[kept++] = triangles[index];
   }
   triangles.resize(kept);
 }
 
 // Returns the border as closed walks, each vertex at most once a walk, in the direction that filling triangles need.
-std::vector<std::vector<int>> FindHoles(const Triangles& triangles) {
-  DirectedEdges owner;
-  owner.reserve(triangles.size() * 3);
+std::vector<std::vector<int>> FindHoles(const Triangles& triangles, size_t vertex_count) {
+  const std::vector<int32_t> twins = FindTwins(triangles, vertex_count);
+  std::vector<std::pair<int, int>> border;  // From, to.
   for (size_t index = 0; index < triangles.size(); ++index) {
-    const Eigen::Vector3i& t = triangles[index];
-    for (int k = 0; k < 3; ++k) owner[EdgeKey(t[k], t[(k + 1) % 3])] = static_cast<int>(index);
-  }
-  std::vector<std::pair<int, int>> border;  // From, to; sorted, so that the order does not depend on hashing.
-  for (const Eigen::Vector3i& t : triangles) {
     for (int k = 0; k < 3; ++k) {
-      if (!owner.contains(EdgeKey(t[(k + 1) % 3], t[k]))) border.emplace_back(t[(k + 1) % 3], t[k]);
+      if (twins[3 * index + static_cast<size_t>(k)] >= 0) continue;
+      border.emplace_back(triangles[index][(k + 1) % 3], triangles[index][k]);
     }
   }
   std::sort(border.begin(), border.end());
@@ -227,7 +236,7 @@ std::vector<std::vector<int>> FindHoles(const Triangles& triangles) {
 
 // Fills one hole: again and again the corner whose two neighbours are closest is clipped, so that the filling stays a
 // tight membrane. The chord of a clipped corner must not be an edge of the surface already.
-void FillHole(const std::vector<int>& hole, const std::vector<Eigen::Vector3d>& vertices, DirectedEdges& owner,
+void FillHole(const std::vector<int>& hole, const std::vector<Eigen::Vector3d>& vertices, EdgeSet& edges,
               Triangles& triangles) {
   const int count = static_cast<int>(hole.size());
   std::vector<int> next(hole.size());
@@ -250,13 +259,14 @@ void FillHole(const std::vector<int>& hole, const std::vector<Eigen::Vector3d>& 
     const int before = previous[static_cast<size_t>(index)];
     const int after = next[static_cast<size_t>(index)];
     double chord = (place(before) - place(after)).norm();
-    if (owner.contains(EdgeKey(at(before), at(after))) || owner.contains(EdgeKey(at(after), at(before)))) chord += 1e3;
+    if (edges.contains(EdgeKey(at(before), at(after))) || edges.contains(EdgeKey(at(after), at(before)))) chord += 1e3;
     ears.push({chord, index, version[static_cast<size_t>(index)]});
   };
   const auto add = [&](int a, int b, int c) {
     triangles.emplace_back(at(a), at(b), at(c));
-    const int triangle = static_cast<int>(triangles.size()) - 1;
-    owner[EdgeKey(at(a), at(b))] = owner[EdgeKey(at(b), at(c))] = owner[EdgeKey(at(c), at(a))] = triangle;
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+      edges.insert(EdgeKey(at(from), at(to)));
+    }
   };
   for (int index = 0; index < count; ++index) push(index);
   int left = count;
@@ -285,6 +295,23 @@ void FillHole(const std::vector<int>& hole, const std::vector<Eigen::Vector3d>& 
   }
 }
 
+void FillHoles(const std::vector<Eigen::Vector3d>& vertices, Triangles& triangles) {
+  const std::vector<std::vector<int>> holes = FindHoles(triangles, vertices.size());
+  std::vector<bool> is_border(vertices.size(), false);
+  for (const std::vector<int>& hole : holes) {
+    for (const int vertex : hole) is_border[static_cast<size_t>(vertex)] = true;
+  }
+  EdgeSet edges;  // Only edges between border vertices can be met again by a chord.
+  for (const Eigen::Vector3i& t : triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const int from = t[k];
+      const int to = t[(k + 1) % 3];
+      if (is_border[static_cast<size_t>(from)] && is_border[static_cast<size_t>(to)]) edges.insert(EdgeKey(from, to));
+    }
+  }
+  for (const std::vector<int>& hole : holes) FillHole(hole, vertices, edges, triangles);
+}
+
 double SignedVolume(const std::vector<Eigen::Vector3d>& vertices, const Triangles& triangles) {
   double six_volumes = 0.0;
   for (const Eigen::Vector3i& t : triangles) {
@@ -306,19 +333,13 @@ Result<TriangleMesh> RepairBody(const TriangleMesh& scan) {
     for (Eigen::Vector3i& t : body.triangles) {
       for (int& corner : t) corner = joined[static_cast<size_t>(corner)];
     }
-    DropDoubles(body.triangles);
+    DropDoubles(body.triangles, body.vertices.size());
     if (body.triangles.empty()) {
       return InvalidArgument("BODY_WITHOUT_TRIANGLES", "the body has no triangles of positive area");
     }
     DropIslands(body.vertices, body.triangles);
-    OrientAndThin(body.triangles);
-    DirectedEdges owner;
-    const std::vector<std::vector<int>> holes = FindHoles(body.triangles);
-    for (size_t index = 0; index < body.triangles.size(); ++index) {
-      const Eigen::Vector3i& t = body.triangles[index];
-      for (int k = 0; k < 3; ++k) owner[EdgeKey(t[k], t[(k + 1) % 3])] = static_cast<int>(index);
-    }
-    for (const std::vector<int>& hole : holes) FillHole(hole, body.vertices, owner, body.triangles);
+    OrientAndThin(body.triangles, body.vertices.size());
+    FillHoles(body.vertices, body.triangles);
   }
   const double volume = SignedVolume(body.vertices, body.triangles);
   if (volume < 0.0) {

@@ -13,6 +13,14 @@ namespace fitroom {
 // triangles, and between triangles that face opposite ways. Indices must lie in 0 ... vertex_count - 1.
 std::vector<int32_t> FindTwins(std::span<const Eigen::Vector3i> triangles, size_t vertex_count);
 
+// The undirected edges of a mesh, numbered.
+struct EdgeList {
+  std::vector<int32_t> edge_of_corner;  // At 3 t + k: the edge from corner k to k + 1 of triangle t.
+  std::vector<uint32_t> begin;          // Per edge, plus one: where its corners start in `corners`.
+  std::vector<int32_t> corners;         // 3 t + k of each triangle at the edge, ascending.
+};
+EdgeList ListEdges(std::span<const Eigen::Vector3i> triangles, size_t vertex_count);
+
 // Says whether every edge has exactly two triangles that face the same way: a closed, oriented surface.
 bool IsClosed(std::span<const Eigen::Vector3i> triangles, size_t vertex_count);
 
