@@ -7,6 +7,7 @@
 #include <string>
 
 #include "fit_client/fit/collision/brick_filler.h"
+#include "fit_client/fit/collision/side_votes.h"
 
 namespace fitroom {
 namespace {
@@ -57,6 +58,7 @@ Result<SignedDistanceField> SignedDistanceFieldBuilder::Build() {
     const size_t begin = static_cast<size_t>(task) * kBricksPerTask;
     FillBricks(begin, std::min(begin + kBricksPerTask, slot_count));
   });
+  SettleBrickSides();
   SignCoarseGrid(TakeOverBricks());
   StoreCoarseGrid();
   return std::move(field_);
@@ -231,6 +233,27 @@ void SignedDistanceFieldBuilder::FillBricks(size_t begin, size_t end) {
       const float distance = filler.distance(local);
       coarse_of_slot_[slot][static_cast<size_t>(node)] = {std::abs(distance), filler.triangle(local),
                                                           static_cast<int8_t>(std::signbit(distance) ? -1 : 1)};
+    }
+  }
+}
+
+// Lets connected samples agree on their side, and the bricks' coarse nodes with them.
+void SignedDistanceFieldBuilder::SettleBrickSides() {
+  BrickSamples samples;
+  samples.distances = field_.brick_samples_;
+  samples.brick_of_slot = brick_of_slot_;
+  samples.slot_at = [this](const Eigen::Vector3i& brick) {
+    return IsInside(brick, field_.brick_count_) ? field_.brick_slot_[field_.BrickIndex(brick)] : -1;
+  };
+  samples.nodes = SignedDistanceField::kBrickNodes;
+  samples.pitch = static_cast<float>(field_.pitch_);
+  SettleSides(samples, executor_);
+  for (size_t slot = 0; slot < brick_of_slot_.size(); ++slot) {
+    for (int node = 0; node < 27; ++node) {
+      const Eigen::Vector3i at = CoarseOffset(node) * kStride;
+      const size_t sample = static_cast<size_t>(at.x() + samples.nodes * (at.y() + samples.nodes * at.z()));
+      const float distance = field_.brick_samples_[slot * SignedDistanceField::kBrickSampleCount + sample];
+      coarse_of_slot_[slot][static_cast<size_t>(node)].side = static_cast<int8_t>(std::signbit(distance) ? -1 : 1);
     }
   }
 }

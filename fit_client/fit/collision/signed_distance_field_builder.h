@@ -14,6 +14,7 @@ namespace fitroom {
 // 2. The coarse grid gets a nearest triangle a node from triangles next to it and by sweeping from node to node.
 // 3. BrickFiller computes each stored brick, with the coarse grid's triangles as hints for samples far from the
 // surface.
+//    Then neighbouring samples agree on their signs (side_votes.h).
 // 4. The coarse nodes in bricks take over what the bricks know; connected parts of the others get their sign from what
 //    the bricks along them say by majority, so that one bad triangle cannot turn a region inside out.
 class SignedDistanceFieldBuilder {
@@ -42,6 +43,7 @@ class SignedDistanceFieldBuilder {
   void TryTriangle(const Eigen::Vector3i& node, int32_t triangle);
   void SpreadOverCoarseGrid();
   void FillBricks(size_t begin, size_t end);
+  void SettleBrickSides();
   std::vector<bool> TakeOverBricks();
   void SignCoarseGrid(const std::vector<bool>& in_brick);
   void StoreCoarseGrid();
