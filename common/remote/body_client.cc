@@ -15,6 +15,7 @@ using body::v1::ScanService;
 struct BodyClient::Impl {
   std::string server;
   std::unique_ptr<ScanService::Stub> stub;
+  rpc::RetryPolicy retries;
 
   Status Error(const grpc::Status& status) const { return rpc::FromGrpcStatus(status, server); }
 
@@ -22,7 +23,7 @@ struct BodyClient::Impl {
   template <typename Request, typename Response>
   Status Call(grpc::Status (ScanService::Stub::*method)(grpc::ClientContext*, const Request&, Response*),
               const Request& request, Response& response, std::chrono::milliseconds timeout) const {
-    return rpc::RetryTransient({}, [&] {
+    return rpc::RetryTransient(retries, [&] {
       const auto context = rpc::MakeClientContext(timeout);
       return Error((stub.get()->*method)(context.get(), request, &response));
     });
@@ -32,8 +33,10 @@ struct BodyClient::Impl {
                       const std::function<Status(std::string_view)>& sink, Status& sink_status) const;
 };
 
-BodyClient::BodyClient(const std::string& address)
-    : impl_(new Impl{"body center at " + address, ScanService::NewStub(rpc::OpenChannel(address))}) {}
+BodyClient::BodyClient(const std::string& address, int attempt_count)
+    : impl_(new Impl{"body center at " + address,
+                     ScanService::NewStub(rpc::OpenChannel(address)),
+                     {.attempt_count = attempt_count}}) {}
 
 BodyClient::~BodyClient() = default;
 
@@ -111,7 +114,7 @@ Result<ScanRecord> BodyClient::Register(const ScanUploadStatement& statement, st
     return started.status().reason() == "SCAN_EXISTS" ? find_published() : Result<ScanRecord>(started.status());
   }
   ScanUpload upload = std::move(started).value();
-  const Status sent = rpc::RetryTransient({}, [&]() -> Status {
+  const Status sent = rpc::RetryTransient(impl_->retries, [&]() -> Status {
     // Where the upload stands is the server's to say.
     FR_ASSIGN_OR_RETURN(const ScanUpload now, GetUpload(upload));
     upload.committed_size = now.committed_size;
@@ -190,7 +193,7 @@ Status BodyClient::Impl::DownloadOnce(const ScanName& name, ScanContent content,
 Status BodyClient::Download(const ScanName& name, ScanContent content, int64_t offset,
                             const std::function<Status(std::string_view)>& sink) {
   Status sink_status;
-  const Status status = rpc::RetryTransient({}, [&]() -> Status {
+  const Status status = rpc::RetryTransient(impl_->retries, [&]() -> Status {
     const Status outcome = impl_->DownloadOnce(name, content, offset, sink, sink_status);
     return sink_status.ok() ? outcome : Status();  // The sink's own error is not the line's: no second try.
   });

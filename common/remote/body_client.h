@@ -23,8 +23,8 @@ struct ScanPage {
 // [SERVER_UNAVAILABLE], [STREAM_CUT] or DEADLINE_EXCEEDED.
 class BodyClient {
  public:
-  // `address` is HOST:PORT. Connects with the first call.
-  explicit BodyClient(const std::string& address);
+  // `address` is HOST:PORT. Connects with the first call. `attempt_count` is how often a call is tried in all.
+  explicit BodyClient(const std::string& address, int attempt_count = 5);
   BodyClient(const BodyClient&) = delete;
   BodyClient& operator=(const BodyClient&) = delete;
   ~BodyClient();

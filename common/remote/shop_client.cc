@@ -16,6 +16,7 @@ using shop::v1::GarmentService;
 struct ShopClient::Impl {
   std::string server;
   std::unique_ptr<GarmentService::Stub> stub;
+  rpc::RetryPolicy retries;
 
   Status Error(const grpc::Status& status) const { return rpc::FromGrpcStatus(status, server); }
 
@@ -23,7 +24,7 @@ struct ShopClient::Impl {
   template <typename Request, typename Response>
   Status Call(grpc::Status (GarmentService::Stub::*method)(grpc::ClientContext*, const Request&, Response*),
               const Request& request, Response& response, std::chrono::milliseconds timeout) const {
-    return rpc::RetryTransient({}, [&] {
+    return rpc::RetryTransient(retries, [&] {
       const auto context = rpc::MakeClientContext(timeout);
       return Error((stub.get()->*method)(context.get(), request, &response));
     });
@@ -33,8 +34,10 @@ struct ShopClient::Impl {
                       Status& sink_status) const;
 };
 
-ShopClient::ShopClient(const std::string& address)
-    : impl_(new Impl{"shop at " + address, GarmentService::NewStub(rpc::OpenChannel(address))}) {}
+ShopClient::ShopClient(const std::string& address, int attempt_count)
+    : impl_(new Impl{
+          "shop at " + address, GarmentService::NewStub(rpc::OpenChannel(address)), {.attempt_count = attempt_count}}) {
+}
 
 ShopClient::~ShopClient() = default;
 
@@ -114,7 +117,7 @@ Result<GarmentRecord> ShopClient::Publish(const GarmentUploadStatement& statemen
   }
   for (size_t i = 0; i < photos.size(); ++i) {
     if (progress) progress("sending", static_cast<double>(i) / static_cast<double>(photos.size()));
-    FR_RETURN_IF_ERROR(rpc::RetryTransient({}, [&]() -> Status {
+    FR_RETURN_IF_ERROR(rpc::RetryTransient(impl_->retries, [&]() -> Status {
       // Where the upload stands is the server's to say.
       FR_ASSIGN_OR_RETURN(const GarmentUpload now, GetUpload(*started));
       const int64_t offset = now.committed_sizes[i];
@@ -191,7 +194,7 @@ Status ShopClient::DownloadImage(std::string_view garment, std::string_view imag
                                  const std::function<Status(std::string_view)>& sink) {
   Status sink_status;
   const std::string name = ToString(ImageName{std::string(garment), std::string(image)});
-  const Status status = rpc::RetryTransient({}, [&]() -> Status {
+  const Status status = rpc::RetryTransient(impl_->retries, [&]() -> Status {
     const Status outcome = impl_->DownloadOnce(name, offset, sink, sink_status);
     return sink_status.ok() ? outcome : Status();  // The sink's own error is not the line's: no second try.
   });

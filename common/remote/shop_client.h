@@ -22,8 +22,8 @@ struct GarmentPage {
 // [SERVER_UNAVAILABLE], [STREAM_CUT] or DEADLINE_EXCEEDED. Nothing that it sends says anything about a person.
 class ShopClient {
  public:
-  // `address` is HOST:PORT. Connects with the first call.
-  explicit ShopClient(const std::string& address);
+  // `address` is HOST:PORT. Connects with the first call. `attempt_count` is how often a call is tried in all.
+  explicit ShopClient(const std::string& address, int attempt_count = 5);
   ShopClient(const ShopClient&) = delete;
   ShopClient& operator=(const ShopClient&) = delete;
   ~ShopClient();

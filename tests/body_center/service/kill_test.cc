@@ -89,7 +89,7 @@ void KillAndVerify(int kill_count, uint32_t seed) {
     ASSERT_FALSE(server.address().empty());
     std::atomic<bool> is_dead{false};
     std::thread registering([&] {
-      remote::BodyClient client(server.address());
+      remote::BodyClient client(server.address(), /*attempt_count=*/1);
       while (!is_dead) {
         const Acknowledged sent{++file_seed, size_t{1000} << (file_seed % 11)};
         const std::string file = FakeScanFile(sent.seed, sent.size);
