@@ -17,7 +17,7 @@ std::shared_ptr<grpc::Channel> OpenChannel(const std::string& address) {
   grpc::ChannelArguments arguments;
   arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);
   arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, 100);
-  arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, 100);
+  arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, 4000);  // How long one attempt to connect may take.
   arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, 1000);
   arguments.SetInt(GRPC_ARG_ENABLE_RETRIES, 0);  // We know which calls may be repeated; the library does not.
   return grpc::CreateCustomChannel(address, grpc::InsecureChannelCredentials(), arguments);
@@ -51,10 +51,12 @@ bool IsTransient(const Status& status) {
 }
 
 Status RetryTransient(const RetryPolicy& policy, const std::function<Status()>& attempt) {
+  const auto last_start = std::chrono::steady_clock::now() + policy.patience;
   std::chrono::milliseconds pause = policy.first_pause;
   for (int i = 1;; ++i) {
     Status status = attempt();
     if (status.ok() || !IsTransient(status) || i >= policy.attempt_count) return status;
+    if (std::chrono::steady_clock::now() + pause > last_start) return status;
     std::this_thread::sleep_for(pause);
     pause *= 2;
   }

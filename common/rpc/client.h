@@ -43,6 +43,7 @@ class ClientStallGuard {
 struct RetryPolicy {
   int attempt_count = 5;
   std::chrono::milliseconds first_pause{100};  // Doubled after each attempt.
+  std::chrono::milliseconds patience{8000};    // No attempt starts later than this after the first.
 };
 
 // Says whether the same call may succeed later without any change.

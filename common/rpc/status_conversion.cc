@@ -51,6 +51,19 @@ std::string ReasonFromDetails(const grpc::Status& status) {
   return "";
 }
 
+Status StreamCut(const std::string& server) {
+  return Unavailable("STREAM_CUT", "the line to the " + server + " was cut; run the command again to go on");
+}
+
+// The library's text names its own parts; only what a person can use of it is passed on.
+Status UnreachableOrCut(const std::string& server, const std::string& text) {
+  if (text.find("failed to connect") == std::string::npos) return StreamCut(server);
+  const bool is_refused = text.find("Connection refused") != std::string::npos;
+  return Unavailable("SERVER_UNAVAILABLE", "the " + server + " cannot be reached (" +
+                                               (is_refused ? "nothing listens there" : "no answer") +
+                                               "); start it, or say where it listens, and run the command again");
+}
+
 }  // namespace
 
 grpc::Status ToGrpcStatus(const Status& status) {
@@ -76,12 +89,11 @@ Status FromGrpcStatus(const grpc::Status& status, std::string_view server) {
   const std::string name(server);
   switch (code) {
     case StatusCode::kUnavailable:
-      return Unavailable("SERVER_UNAVAILABLE", "the " + name + " cannot be reached (" + status.error_message() +
-                                                   "); start it, or say where it listens, and run the command again");
+      return UnreachableOrCut(name, status.error_message());
     case StatusCode::kDeadlineExceeded:
       return Status(code, "DEADLINE_EXCEEDED", "the " + name + " did not answer in time; run the command again");
     case StatusCode::kCancelled:
-      return Unavailable("STREAM_CUT", "the line to the " + name + " was cut; run the command again to go on");
+      return StreamCut(name);
     default:
       return Status(code, std::string(StatusCodeName(code)), "the " + name + ": " + status.error_message());
   }

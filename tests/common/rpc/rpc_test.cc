@@ -150,6 +150,16 @@ TEST(RetryTransient, RepeatsOnlyWhatMayHelp) {
               }).ok());
 }
 
+TEST(RetryTransient, LosesItsPatience) {
+  const RetryPolicy policy{.attempt_count = 1000000, .first_pause = milliseconds(1), .patience = milliseconds(50)};
+  int attempts = 0;
+  EXPECT_FALSE(RetryTransient(policy, [&] {
+                 ++attempts;
+                 return Unavailable("SERVER_UNAVAILABLE", "");
+               }).ok());
+  EXPECT_LE(attempts, 6) << "pauses of 1, 2, 4, 8, 16 ms and the next would end after 50 ms";
+}
+
 TEST(MakeClientContext, GivesADeadlineAndAFreshRequestId) {
   const auto before = std::chrono::system_clock::now();
   const auto context = MakeClientContext(milliseconds(5000));
