@@ -17,8 +17,8 @@ const std::vector<HorizontalRow> kNeckRows = {
 // From the chin to the brow.
 const std::vector<HorizontalRow> kFaceRows = {
     {146.3, 0, 1.4, 7.4, 8.7, 4.5, 2.2, 2.0},    {147.2, 0, 2.8, 6.4, 10.0, 2.8, 2.2, 2.0},
-    {148.8, 0, 4.0, 5.0, 10.6, 1.5, 2.2, 2.0},   {151.0, 0, 5.0, 4.0, 10.8, 0.6, 2.2, 2.0},
-    {153.5, 0, 5.8, 3.4, 11.0, -1.0, 2.25, 2.0}, {156.0, 0, 6.4, 3.0, 11.0, -2.5, 2.3, 2.0},
+    {148.8, 0, 4.25, 5.0, 10.6, 1.5, 2.2, 2.0},  {151.0, 0, 5.35, 4.0, 10.8, 0.6, 2.2, 2.0},
+    {153.5, 0, 6.1, 3.4, 11.0, -1.0, 2.25, 2.0}, {156.0, 0, 6.4, 3.0, 11.0, -2.5, 2.3, 2.0},
     {158.5, 0, 6.65, 2.7, 11.0, -4.0, 2.3, 2.0}, {161.0, 0, 6.2, 2.5, 10.4, -4.0, 2.3, 2.0},
     {163.5, 0, 4.6, 2.4, 8.2, -3.0, 2.2, 2.0},   {165.0, 0, 2.0, 2.3, 4.5, -1.0, 2.0, 2.0},
 };
@@ -31,7 +31,7 @@ void AddFace(Figure& figure) {
     solid.Add(MakeEllipsoid(PointCm(side * 3.2, 156.5, 9.3), PointCm(1.35, 1.05, 1.25)), 0.003);
     solid.Add(MakeEllipsoid(PointCm(side * 4.3, 153.9, 8.0), PointCm(1.9, 1.5, 1.6)), 0.025);
     solid.Add(MakeEllipsoid(PointCm(side * 1.0, 152.6, 11.3), PointCm(0.7, 0.65, 0.9)), 0.008);
-    solid.Add(MakeEllipsoid(PointCm(side * 7.1, 155.2, 1.2), PointCm(0.75, 3.0, 1.7)), 0.006);
+    solid.Add(MakeEllipsoid(PointCm(side * 6.95, 155.9, 0.9), PointCm(0.8, 2.7, 1.6)), 0.010);
   }
   solid.Add(MakeRoundCone(PointCm(0.0, 157.5, 10.8), 0.006, PointCm(0.0, 153.0, 12.4), 0.0085), 0.012);
   solid.Add(MakeEllipsoid(PointCm(0.0, 150.55, 10.55), PointCm(2.2, 0.55, 0.95)), 0.008);

@@ -54,7 +54,7 @@ Vector3d FaceColour(const Vector3d& p, const Vector3d& skin) {
     paint(kBrow, 0.75 * ellipse(0.033, 1.586 - 0.9 * std::pow(std::abs(p.x()) - 0.03, 2) / 0.03, 0.022, 0.005));
   }
   // The cap's rim runs from the forehead down to the nape, behind the ears.
-  paint(kCap, Above(p.y(), 1.589 + 0.37 * p.z()) * (1.0 - Above(std::abs(p.x()), 0.077)));
+  paint(kCap, Above(p.y(), 1.589 + 0.37 * p.z()));
   return colour;
 }
 

@@ -111,6 +111,8 @@ TShirtCanvas::Cloth MakeCloth(const TShirtShape& shape, const TShirtPhotographOp
   }
   return [&shape, &palette](const Vector2d& place) -> Rgb {
     constexpr double kPitch = 3.4, kStripe = 1.1, kEdge = 0.06;  // (unit: centimetre)
+    // The turned-up hem is cut along the stripes.
+    if (place.y() > shape.hem.back().y() - kHemHeight - 0.4) return palette.cloth;
     double along = place.y() - 1.0;
     if (IsOnSleeve(shape, place)) {
       along = (Vector2d(std::abs(place.x()), place.y()) - shape.sleeve_end.front()).dot(shape.sleeve_axis) - 2.2;
