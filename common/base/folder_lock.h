@@ -6,7 +6,8 @@
 
 namespace fitroom {
 
-// Keeps a folder for this process: a lock on the file `lock` in it, freed by the system when the process ends in any way.
+// Keeps a folder for this process: a lock on the file `lock` in it, freed by the system when the process ends in any
+// way.
 class FolderLock {
  public:
   // Makes the folder (for its owner only) if it is not there and takes the lock.
