@@ -27,6 +27,9 @@ constexpr double kSettlingStep = 1.6e-4;  // At the end (unit: second): stretch 
 constexpr double kSettlingSpeed = 0.06;   // Falling ends when 99 % are slower (unit: m/s).
 constexpr double kDrapingDrag = 12.0;     // (unit: 1/s). Over-critical for a hem that swings on 0.6 m of cloth.
 constexpr int kRestWindows = 3;           // Rest must hold for this many sixtieths of a second.
+// Rest that holds for so long ends the run although samples stay closer than the clearance: where cloth is squeezed
+// between arm and trunk there is no room for it. Whether any is inside the body is measured and reported.
+constexpr int kPatientRestWindows = 12;
 
 // Runs the stages of one call of Drape().
 class DrapeRun {
@@ -338,7 +341,7 @@ Status DrapeRun::LetHang() {
     windows_at_rest = at_rest && is_settling ? windows_at_rest + 1 : 0;
     before = after;
     const int samples_too_close = solver.RaiseOffsets(state, options_.sample_clearance);
-    if (windows_at_rest >= kRestWindows && samples_too_close == 0) break;
+    if (windows_at_rest >= (samples_too_close == 0 ? kRestWindows : kPatientRestWindows)) break;
     if (!is_settling && report_.speed_p99 < kSettlingSpeed) {
       is_settling = true;
       motion.time_step = kSettlingStep * edge_scale;
