@@ -60,6 +60,15 @@ TEST_P(SyntheticBody, IsClosedAndHasTheGirthsAndTheStatureAskedFor) {
     ASSERT_TRUE(edges.contains({edge.second, edge.first}));
   }
   EXPECT_EQ(testing::ComponentCount(mesh), 1);
+
+  // At the density of water the body weighs what a woman of that height does: body mass index 15 to 45.
+  double volume = 0.0;
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    const auto at = [&](int i) -> const Vector3d& { return mesh.vertices[static_cast<size_t>(t[i])]; };
+    volume += at(0).dot(at(1).cross(at(2))) / 6.0;
+  }
+  EXPECT_GT(1000.0 * volume / (asked.stature * asked.stature), 15.0);
+  EXPECT_LT(1000.0 * volume / (asked.stature * asked.stature), 45.0);
   EXPECT_EQ(mesh.vertices.size() + mesh.triangles.size(), edges.size() / 2 + 2) << "not a sphere";
 }
 
