@@ -117,6 +117,10 @@ Result<ScanRecord> BodyClient::Register(const ScanUploadStatement& statement, st
   const Status sent = rpc::RetryTransient(impl_->retries, [&]() -> Status {
     // Where the upload stands is the server's to say.
     FR_ASSIGN_OR_RETURN(const ScanUpload now, GetUpload(upload));
+    if (now.committed_size > statement.size) {
+      return DataLoss("UPLOAD_SIZE_MISMATCH",
+                      impl_->server + " holds more bytes than the file has; choose another scan id");
+    }
     upload.committed_size = now.committed_size;
     if (upload.committed_size == statement.size) return Status();
     return SendBytes(upload, upload.committed_size, file.substr(static_cast<size_t>(upload.committed_size)),

@@ -15,8 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t kMaxRecordSize = size_t{1} << 20;        // (unit: byte)
-constexpr size_t kMaxPackedMeshSize = size_t{512} << 20;  // (unit: byte)
+constexpr size_t kMaxRecordSize = size_t{1} << 20;  // (unit: byte)
 
 Result<ScanRecord> ReadRecord(const fs::path& folder) {
   FR_ASSIGN_OR_RETURN(const std::string text, ReadFile(folder / "body.json", kMaxRecordSize));

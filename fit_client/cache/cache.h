@@ -15,6 +15,9 @@
 // A folder that is there is whole: pulling writes beside it and renames.
 namespace fitroom::fit_client {
 
+// The largest packed mesh that is pulled and loaded (unit: byte).
+inline constexpr size_t kMaxPackedMeshSize = size_t{512} << 20;
+
 // Returns `$XDG_CACHE_HOME/fitroom`, else `~/.cache/fitroom`. FAILED_PRECONDITION [NO_HOME] without either variable.
 Result<std::filesystem::path> CacheFolder();
 

@@ -1,6 +1,7 @@
 #include "fit_client/remote/pull_body.h"
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "common/base/file.h"
@@ -24,6 +25,20 @@ Result<ScanRecord> FindScan(remote::BodyClient& client, const ScanName& name) {
   });
 }
 
+// Checks what a body center says before anything of it touches the disk: the scan that was asked for, of a size that
+// LoadCachedBody() would read.
+Status CheckRecord(const ScanName& asked, const ScanRecord& scan) {
+  if (scan.name.body != asked.body || (!asked.scan.empty() && scan.name.scan != asked.scan)) {
+    return DataLoss("SCAN_NAME_MISMATCH", "the body center answered with " + ToString(scan.name) + "; pull it again");
+  }
+  if (scan.packed_mesh_size < 1 || scan.packed_mesh_size > static_cast<int64_t>(kMaxPackedMeshSize)) {
+    return DataLoss("PACKED_MESH_SIZE", ToString(scan.name) + ": the body center announces " +
+                                            std::to_string(scan.packed_mesh_size) + " bytes; at most " +
+                                            std::to_string(kMaxPackedMeshSize) + " are pulled");
+  }
+  return Status();
+}
+
 bool IsCached(const fs::path& folder, const ScanRecord& scan) {
   const Result<std::string> json = ReadFile(folder / "body.json", size_t{1} << 20);
   if (!json.ok() || *json != ScanRecordToJson(scan)) return false;
@@ -37,6 +52,7 @@ Result<ScanRecord> PullBody(remote::BodyClient& client, const fs::path& cache, s
                             const ProgressSink& progress) {
   FR_ASSIGN_OR_RETURN(const ScanName name, ScanNameFromUser(text));
   FR_ASSIGN_OR_RETURN(ScanRecord scan, FindScan(client, name));
+  FR_RETURN_IF_ERROR(CheckRecord(name, scan));
   const fs::path folder = ScanFolder(cache, scan.name);
   if (IsCached(folder, scan)) return scan;
   // The hash in its name keeps a later scan from going on with an earlier one's bytes.

@@ -47,6 +47,10 @@ Result<GarmentRecord> PullGarment(remote::ShopClient& client, const fs::path& ca
                                   const ProgressSink& progress) {
   FR_ASSIGN_OR_RETURN(const std::string id, GarmentIdFromUser(name));
   FR_ASSIGN_OR_RETURN(GarmentRecord record, client.GetGarment(id));
+  if (record.garment.id != id) {
+    return DataLoss("GARMENT_NAME_MISMATCH",
+                    "the shop answered with garments/" + record.garment.id + "; pull it again");
+  }
   FR_RETURN_IF_ERROR(CheckRecord(record));
   const fs::path folder = GarmentFolder(cache, id);
   if (IsCached(folder, record)) return record;
