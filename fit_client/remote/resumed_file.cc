@@ -24,7 +24,9 @@ Status WriteError(const fs::path& path, int error) {
 class AppendedFile {
  public:
   explicit AppendedFile(const fs::path& path)
-      : path_(path), descriptor_(::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600)) {}
+      : path_(path),
+        descriptor_(::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600)),
+        open_error_(descriptor_ < 0 ? errno : 0) {}
   AppendedFile(const AppendedFile&) = delete;
   AppendedFile& operator=(const AppendedFile&) = delete;
   ~AppendedFile() {
@@ -32,6 +34,7 @@ class AppendedFile {
   }
 
   Status Append(std::string_view bytes) {
+    if (descriptor_ < 0) return WriteError(path_, open_error_);
     while (!bytes.empty()) {
       const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
       if (written < 0 && errno == EINTR) continue;
@@ -45,6 +48,7 @@ class AppendedFile {
  private:
   fs::path path_;
   int descriptor_;
+  int open_error_;  // Why there is no descriptor.
 };
 
 Status CheckWhole(const fs::path& path, int64_t size, const Hash256& hash) {
@@ -97,8 +101,11 @@ Status ReplaceFolder(const fs::path& partial, const fs::path& folder) {
   fs::remove_all(old, error);
   fs::rename(folder, old, error);  // Fails where there is none, which is well.
   fs::rename(partial, folder, error);
-  if (error) return Unavailable("FILE_IO", folder.string() + ": " + error.message());
   std::error_code ignored;
+  if (error) {
+    fs::rename(old, folder, ignored);  // What was there stays there.
+    return Unavailable("FILE_IO", folder.string() + ": " + error.message());
+  }
   fs::remove_all(old, ignored);
   return Status();
 }
