@@ -1,3 +1,5 @@
+#include <exception>
+
 #include <CLI/CLI.hpp>
 
 #include "body_center/cli/commands.h"
@@ -19,6 +21,9 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : static_cast<int>(fitroom::ExitCode::kUsage);
+  } catch (const std::exception& error) {
+    // What is left, such as no memory, ends in a message too.
+    return fitroom::ReportAndExitCode("body_center", fitroom::Internal("UNEXPECTED", error.what()));
   }
   return exit_code;
 }

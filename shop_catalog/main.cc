@@ -1,3 +1,5 @@
+#include <exception>
+
 #include <CLI/CLI.hpp>
 
 #include "common/base/exit_code.h"
@@ -18,6 +20,9 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : static_cast<int>(fitroom::ExitCode::kUsage);
+  } catch (const std::exception& error) {
+    // What is left, such as no memory, ends in a message too.
+    return fitroom::ReportAndExitCode("shop_catalog", fitroom::Internal("UNEXPECTED", error.what()));
   }
   return exit_code;
 }

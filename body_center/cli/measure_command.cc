@@ -33,6 +33,7 @@ Result<std::string> ReadStandardInput(size_t max_size) {
     }
     bytes.append(buffer.data(), count);
   }
+  if (std::ferror(stdin) != 0) return Unavailable("FILE_IO", "standard input cannot be read to its end");
   return bytes;
 }
 

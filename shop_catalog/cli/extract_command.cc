@@ -124,7 +124,10 @@ Status Extract(const ExtractOptions& options) {
   FR_ASSIGN_OR_RETURN(const GarmentExtraction extraction, ExtractGarment(request));
   FR_RETURN_IF_ERROR(WriteGarmentFolder(options.out, extraction.garment, extraction.files));
   if (options.as_json) {
-    std::printf("%s\n", ToJson(extraction, options.out).dump(2).c_str());
+    // The folder's name comes from outside: bytes that are no UTF-8 are replaced, never thrown at.
+    const std::string json =
+        ToJson(extraction, options.out).dump(2, ' ', /*ensure_ascii=*/false, Json::error_handler_t::replace);
+    std::printf("%s\n", json.c_str());
   } else {
     PrintTable(extraction, options.out);
   }
