@@ -10,12 +10,15 @@
 
 #include <Eigen/SparseCholesky>
 
+#include "common/geometry/triangle_mesh.h"
 #include "fit_client/fit/stages/dressing_guides.h"
 #include "fit_client/fit/stages/frontal_map.h"
 #include "fit_client/fit/stages/panel_outline.h"
 
 namespace fitroom {
 namespace {
+
+constexpr double kLargestBody = 10.0;  // The frontal map of a longer one would not fit the memory (unit: metre).
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -271,6 +274,9 @@ Result<std::vector<Vector3d>> ExtendHarmonically(const ClothMesh& cloth, int pan
 
 Result<StartPose> PlaceTop(const ClothMesh& cloth, const Body& body, const TriangleMesh& collider,
                            const StartPoseOptions& options) {
+  if (ComputeBounds(collider).sizes().maxCoeff() > kLargestBody) {
+    return InvalidArgument("BODY_TOO_LARGE", "the body is more than 10 m long; is the unit metres?");
+  }
   const FrontalMap map(collider, options.map_pitch);
   FR_ASSIGN_OR_RETURN(const DressingGuides left_guides, FindDressingGuides(body, map, +1, options.clearance));
   FR_ASSIGN_OR_RETURN(const DressingGuides right_guides, FindDressingGuides(body, map, -1, options.clearance));

@@ -37,7 +37,8 @@ struct StartPose {
 // that the rest shape is kept where nothing forces it), and its depth is the body's own, or a half ellipse as wide as
 // the cloth, whichever is farther out.
 //
-// INVALID_ARGUMENT for a panel without the points of a top, FAILED_PRECONDITION where the scan lacks a landmark.
+// INVALID_ARGUMENT for a panel without the points of a top and for a body of more than 10 m, FAILED_PRECONDITION where
+// the scan lacks a landmark.
 Result<StartPose> PlaceTop(const ClothMesh& cloth, const Body& body, const TriangleMesh& collider,
                            const StartPoseOptions& options);
 
