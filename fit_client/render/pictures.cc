@@ -152,17 +152,17 @@ DrawnPictures DrawShare(const std::vector<Scene>& scenes, const std::vector<Came
 // Runs both, the second on a thread of its own where two are allowed and one can be had.
 template <typename First, typename Second>
 void RunBoth(int thread_count, First first, Second second) {
-  std::optional<std::thread> helper;
+  std::optional<std::thread> other;
   if (thread_count > 1) {
     try {
-      helper.emplace(second);
+      other.emplace(second);
     } catch (const std::system_error&) {
-      helper.reset();
+      other.reset();
     }
   }
   first();
-  if (helper) {
-    helper->join();
+  if (other) {
+    other->join();
   } else {
     second();
   }
