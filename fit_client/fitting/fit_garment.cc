@@ -54,6 +54,7 @@ EaseAtPlace MeasureEase(const std::string& place, const GirthMeasurement& girth,
   const double height = std::min(girth.height, HighestClosedHeight(fit));
   const GarmentGirth garment =
       MeasureDrapedGirth(fit.cloth, fit.stages.final, height, TorsoAxis(fit.body_surface, height));
+  ease.height = height;
   ease.measured = garment.found;
   ease.garment_girth = garment.girth;
   if (!garment.found) ease.note = "the garment does not reach round the " + place;
@@ -84,7 +85,8 @@ void DescribeInputs(const BodyInput& body, const Garment& garment, FitReport& re
   report.profile = "standard";
 }
 
-void DescribeOutcome(const DrapeReport& drape, const DrapeOptions& options, FitReport& report) {
+void DescribeOutcome(const DressTopResult& dressed, const DrapeOptions& options, FitReport& report) {
+  const DrapeReport& drape = dressed.report;
   report.finished = drape.outcome == DrapeOutcome::kAtRest && drape.touching_condition_met;
   switch (drape.outcome) {
     case DrapeOutcome::kAtRest:
@@ -108,8 +110,12 @@ void DescribeOutcome(const DrapeReport& drape, const DrapeOptions& options, FitR
                                std::to_string(drape.seam_pair_count) + " seam pairs closed",
                            drape.merging_substeps});
   report.stages.push_back({"gravity", std::string(DrapeOutcomeName(drape.outcome)), drape.draping_substeps});
-  report.residuals.push_back(
-      {"shoulder points to body", "shoulder_distance", drape.touching_distance_max, options.touching_distance, "m"});
+  if (dressed.shoulder_point_count > 0) {
+    report.residuals.push_back(
+        {"shoulder points to body", "shoulder_distance", drape.touching_distance_max, options.touching_distance, "m"});
+  } else {
+    report.notes.push_back("every shoulder point of the garment drops to the arm; only rest ended the fit");
+  }
   report.residuals.push_back(
       {"speed of 99 % of the particles", "speed_p99", drape.speed_p99, options.rest_speed_of_99_percent, "m/s"});
   report.seams = {drape.seam_pair_count, drape.open_seam_count, drape.seam_gap_mean, drape.seam_gap_p95,
@@ -161,7 +167,7 @@ Result<Fit> FitGarment(const BodyInput& body, const GarmentInput& garment, const
   fit.stages = std::move(dressed.stages);
   stopwatch.Lap("dressing");
 
-  DescribeOutcome(dressed.report, options.dressing.drape, fit.report);
+  DescribeOutcome(dressed, options.dressing.drape, fit.report);
   const BodyMeasurements& girths = body.body.measurements;
   fit.report.ease = {MeasureEase("bust", girths.bust, fit), MeasureEase("waist", girths.waist, fit),
                      MeasureEase("hip", girths.hip, fit)};

@@ -36,7 +36,7 @@ struct StrainSummary {
 struct EaseAtPlace {
   std::string place;           // "bust", "waist", "hip".
   bool measured = false;       // False: the garment does not reach there or does not close; `note` says which.
-  double height = 0.0;         // Above the floor (unit: metre).
+  double height = 0.0;         // Where the garment was measured, above the floor (unit: metre).
   double garment_girth = 0.0;  // Length of the draped cloth round the torso (unit: metre).
   double body_girth = 0.0;     // What a tape measures (unit: metre).
   std::string note;

@@ -30,6 +30,7 @@ constexpr int kRestWindows = 3;           // Rest must hold for this many sixtie
 // Rest that holds for so long ends the run although samples stay closer than the clearance: where cloth is squeezed
 // between arm and trunk there is no room for it. Whether any is inside the body is measured and reported.
 constexpr int kPatientRestWindows = 12;
+constexpr int kOffBodyRestWindows = 60;  // The same where a vertex that has to touch the body does not.
 
 // Runs the stages of one call of Drape().
 class DrapeRun {
@@ -337,11 +338,14 @@ Status DrapeRun::LetHang() {
     FR_RETURN_IF_ERROR(CheckFinite(state));
     const std::vector<Eigen::Vector3d> after = ClothSolver::Positions(state, model.particle_count());
     TakePositions(model, state);
-    const bool at_rest = IsAtRest(before, after, window * motion.time_step, state) && TouchesBody();
+    const bool at_rest = IsAtRest(before, after, window * motion.time_step, state);
     windows_at_rest = at_rest && is_settling ? windows_at_rest + 1 : 0;
     before = after;
     const int samples_too_close = solver.RaiseOffsets(state, options_.sample_clearance);
-    if (windows_at_rest >= (samples_too_close == 0 ? kRestWindows : kPatientRestWindows)) break;
+    const int windows_needed = !TouchesBody()           ? kOffBodyRestWindows
+                               : samples_too_close == 0 ? kRestWindows
+                                                        : kPatientRestWindows;
+    if (windows_at_rest >= windows_needed) break;
     if (!is_settling && report_.speed_p99 < kSettlingSpeed) {
       is_settling = true;
       motion.time_step = kSettlingStep * edge_scale;

@@ -72,8 +72,8 @@ struct DrapeOptions {
   double rest_speed_of_99_percent = 0.02;  // and 99 % slower than this (unit: m/s).
 
   // A further condition for the end, equation (6) of the method: every one of these vertices of the mesh must be within
-  // `touching_distance` of the body (unit: metre) before rest counts. Whether it was met is reported; the run ends at
-  // rest or at the step limit either way.
+  // `touching_distance` of the body (unit: metre). Where one is not, rest has to hold for a second before the run ends,
+  // because a garment may still be sliding down. Whether the condition was met is reported.
   std::vector<int> touching_vertices;
   double touching_distance = 0.02;
 };

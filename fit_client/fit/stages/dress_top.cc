@@ -56,6 +56,7 @@ Result<DressTopResult> DressTop(const ClothMesh& cloth, const Body& body, const 
   result.stages.merging = Between(pose.apart, pose.around, kMergingPicture);
   DrapeOptions drape_options = options.drape;
   drape_options.touching_vertices = ShoulderPoints(cloth, body, pose);
+  result.shoulder_point_count = static_cast<int>(drape_options.touching_vertices.size());
   const DrapeObserver observer = [&](const DrapeSnapshot& snapshot) {
     if (snapshot.stage == DrapeStage::kStitched) {
       result.stages.stitched.assign(snapshot.positions.begin(), snapshot.positions.end());

@@ -43,6 +43,7 @@ struct DressingStages {
 struct DressTopResult {
   DressingStages stages;  // Positions, one a particle of the cloth (unit: metre).
   DrapeReport report;
+  int shoulder_point_count = 0;  // That condition (6) looked at; none where all shoulder points dropped to the arms.
 };
 
 // Puts a top on from the neck down (S40): places the panels apart with Cp before the front neck point, carries them

@@ -85,6 +85,25 @@ TEST(Drape, AGarmentThatIsFarTooSmallEndsWithThatOutcome) {
   for (const Eigen::Vector3d& position : result->positions) EXPECT_TRUE(position.allFinite());
 }
 
+// Equation (6): a vertex that has to touch and does says so; one that cannot is reported, and the run still ends at
+// rest.
+TEST(Drape, TheTouchingConditionIsReportedAndDoesNotKeepRestFromEndingTheRun) {
+  const ClothMesh tube = testing::MakeTube(0.17, 0.06, 17, 6, 0.1);  // 34 cm of cloth, tight on 34.6 cm of column.
+  const SignedDistanceField body = MakeColumn(0.052);
+  SerialExecutor serial;
+  DrapeOptions options;
+  options.gravity.setZero();
+  options.touching_vertices = {3 * 18 + 9};
+  for (const double touching_distance : {0.01, -0.01}) {  // Nothing lies a centimetre inside.
+    options.touching_distance = touching_distance;
+    const Result<DrapeResult> result = Drape(tube, tube.rest_positions, body, options, serial, {});
+    ASSERT_TRUE(result.ok());
+    EXPECT_EQ(result->report.outcome, DrapeOutcome::kAtRest) << result->report.finishing_reason;
+    EXPECT_LT(result->report.draping_substeps, options.draping_substep_limit);
+    EXPECT_EQ(result->report.touching_condition_met, touching_distance > 0.0);
+  }
+}
+
 TEST(Drape, GivesTheSameForAnyThreadCount) {
   const ClothMesh tube = testing::MakeTube(0.24, 0.2, 48, 40, 0.12);
   const SignedDistanceField body = MakeColumn(0.055);
