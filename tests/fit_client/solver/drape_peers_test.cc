@@ -16,7 +16,10 @@ class DrapePeers : public ::testing::TestWithParam<const char*> {};
 TEST_P(DrapePeers, TheShirtIsWorn) {
   FR_REQUIRE_TEST_DATA();
   const std::filesystem::path folder = testing::TestDataFolder() / ".." / "peers";
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no folder of other programs' cases: " << folder;
+  if (!std::filesystem::exists(folder)) {
+    ASSERT_EQ(std::getenv("FITROOM_REQUIRE_TEST_DATA"), nullptr) << "required but missing: " << folder;
+    GTEST_SKIP() << "no folder of other programs' cases: " << folder;
+  }
   const Result<RawScan> body = ReadScanFile(folder / "body13k.obj.zst");
   const Result<RawScan> panels = ReadScanFile(folder / (std::string("shirt_") + GetParam() + ".obj"));
   ASSERT_TRUE(body.ok() && panels.ok());
