@@ -16,9 +16,9 @@ std::string_view ImageFormatExtension(ImageFormat format);
 
 // What a decoder may spend on bytes from outside. Checked on the header, before any pixel is allocated.
 struct ImageLimits {
-  size_t max_bytes = 20u * 1000u * 1000u;  // Of the encoded file (unit: byte).
-  int64_t max_pixels = 40 * 1000 * 1000;   // Of the decoded image (unit: pixel).
-  int min_side = 1;                        // Shortest allowed side (unit: pixel).
+  size_t max_bytes = size_t{20} << 20;    // Of the encoded file (unit: byte).
+  int64_t max_pixels = 40 * 1000 * 1000;  // Of the decoded image (unit: pixel).
+  int min_side = 1;                       // Shortest allowed side (unit: pixel).
 };
 
 // What the first bytes of an image say. Width and height are those of the decoded image, EXIF orientation applied.

@@ -9,6 +9,7 @@
 
 #include "common/base/exit_code.h"
 #include "common/base/file.h"
+#include "common/garment_record/garment_record.h"
 #include "shop_catalog/cli/commands.h"
 #include "shop_catalog/garment/extract_garment.h"
 
@@ -16,9 +17,6 @@ namespace fitroom::shop_catalog {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr size_t kMaxPhotoSize = 20u * 1000u * 1000u;  // (unit: byte)
-constexpr size_t kMaxAnnotationSize = 1u << 20;        // (unit: byte)
 
 struct ExtractOptions {
   std::string front;
@@ -100,10 +98,12 @@ Status Extract(const ExtractOptions& options) {
                                                "\" is not a kind of garment; name tshirt, long_sleeve, one_piece, "
                                                "skirt, pants or shorts");
   }
-  FR_ASSIGN_OR_RETURN(const std::string front, ReadFile(options.front, kMaxPhotoSize));
+  // What a catalog would refuse is refused here too.
+  constexpr auto kMaxPhoto = static_cast<size_t>(kMaxPhotoSize);
+  FR_ASSIGN_OR_RETURN(const std::string front, ReadFile(options.front, kMaxPhoto));
   std::string back;
   if (!options.back.empty()) {
-    FR_ASSIGN_OR_RETURN(back, ReadFile(options.back, kMaxPhotoSize));
+    FR_ASSIGN_OR_RETURN(back, ReadFile(options.back, kMaxPhoto));
   }
   PointAnnotation annotation;
   if (!options.annotation.empty()) {

@@ -3,8 +3,13 @@
 #include <ctime>
 #include <utility>
 
+#include "common/image/decode.h"
+
 namespace fitroom::shop_catalog {
 namespace {
+
+// A photograph that the catalog takes in must not be refused for its size once all of it has been sent.
+static_assert(static_cast<size_t>(kMaxPhotoSize) == ImageLimits{}.max_bytes);
 
 // An extractor's error that another try with the same bytes would meet again.
 bool IsFinal(const Status& status) {
