@@ -50,12 +50,10 @@ bool IsFinal(const Status& status) {
          status.code() != StatusCode::kInternal;
 }
 
-// Reads the whole upload and lets the acceptor work on it while a second thread hashes it.
-Result<AcceptedScan> CheckAndAccept(BodyStore& store, const ScanAcceptor& acceptor, const ScanUpload& upload,
-                                    const std::function<bool()>& is_cancelled) {
-  const ScanUploadStatement& statement = upload.statement;
+// Lets the acceptor work on the upload's bytes while a second thread hashes them.
+Result<AcceptedScan> CheckAndAccept(const ScanAcceptor& acceptor, const ScanUploadStatement& statement,
+                                    std::string_view bytes, const std::function<bool()>& is_cancelled) {
   FR_ASSIGN_OR_RETURN(const FrameOverrides overrides, OverridesOf(statement));
-  FR_ASSIGN_OR_RETURN(const std::string bytes, store.ReadUpload(upload.id));
   std::future<bool> is_intact = std::async(std::launch::async, [&] { return Blake2b(bytes) == statement.hash; });
   Result<AcceptedScan> accepted = acceptor(bytes, statement.file_name, overrides, is_cancelled);
   if (!is_intact.get()) {
@@ -73,7 +71,10 @@ Result<ScanRecord> FinishRegistration(BodyStore& store, const ScanAcceptor& acce
   if (upload.committed_size != upload.statement.size) {
     return FailedPrecondition("UPLOAD_INCOMPLETE", "bytes are missing; ask how far the upload is and go on from there");
   }
-  const Result<AcceptedScan> accepted = CheckAndAccept(store, acceptor, upload, is_cancelled);
+  // What the store itself fails at is no fault of the scan: the upload stays.
+  FR_ASSIGN_OR_RETURN(std::string bytes, store.ReadUpload(upload.id));
+  const Result<AcceptedScan> accepted = CheckAndAccept(acceptor, upload.statement, bytes, is_cancelled);
+  bytes = std::string();  // A scan is large, and publishing does not need it.
   if (!accepted.ok()) {
     if (IsFinal(accepted.status())) FR_RETURN_IF_ERROR(store.DropUpload(upload_id));
     return accepted.status();

@@ -17,13 +17,23 @@ bool IsFinal(const Status& status) {
          status.code() != StatusCode::kInternal;
 }
 
-Result<GarmentExtraction> CheckAndExtract(GarmentStore& store, const GarmentExtractor& extractor,
-                                          const GarmentUpload& upload, const std::function<bool()>& is_cancelled) {
-  const GarmentUploadStatement& statement = upload.statement;
-  std::string front, back;
-  for (const PhotoStatement& photo : statement.photos) {
-    std::string& bytes = photo.side == GarmentSide::kFront ? front : back;
+struct PhotoBytes {
+  std::string front, back;  // Empty where none is stated.
+};
+
+Result<PhotoBytes> ReadPhotos(GarmentStore& store, const GarmentUpload& upload) {
+  PhotoBytes photos;
+  for (const PhotoStatement& photo : upload.statement.photos) {
+    std::string& bytes = photo.side == GarmentSide::kFront ? photos.front : photos.back;
     FR_ASSIGN_OR_RETURN(bytes, store.ReadUpload(upload.id, photo.side));
+  }
+  return photos;
+}
+
+Result<GarmentExtraction> CheckAndExtract(const GarmentExtractor& extractor, const GarmentUploadStatement& statement,
+                                          const PhotoBytes& photos, const std::function<bool()>& is_cancelled) {
+  for (const PhotoStatement& photo : statement.photos) {
+    const std::string& bytes = photo.side == GarmentSide::kFront ? photos.front : photos.back;
     if (std::ssize(bytes) != photo.size || Blake2b(bytes) != photo.hash) {
       return DataLoss("UPLOAD_HASH_MISMATCH", "what arrived is not the photograph that was stated; publish it again");
     }
@@ -33,8 +43,8 @@ Result<GarmentExtraction> CheckAndExtract(GarmentStore& store, const GarmentExtr
   request.title = statement.title;
   request.kind = statement.kind;
   request.length = statement.length;
-  request.front_photo = front;
-  request.back_photo = back;
+  request.front_photo = photos.front;
+  request.back_photo = photos.back;
   request.is_cancelled = is_cancelled;
   PointAnnotation annotation;
   if (!statement.annotation_json.empty()) {
@@ -86,7 +96,9 @@ Result<GarmentRecord> FinishPublication(GarmentStore& store, const GarmentExtrac
     if (upload.committed_sizes[i] == upload.statement.photos[i].size) continue;
     return FailedPrecondition("UPLOAD_INCOMPLETE", "bytes are missing; ask how far the upload is and go on from there");
   }
-  const Result<GarmentExtraction> extraction = CheckAndExtract(store, extractor, upload, is_cancelled);
+  // What the store itself fails at is no fault of the photographs: the upload stays.
+  FR_ASSIGN_OR_RETURN(const PhotoBytes photos, ReadPhotos(store, upload));
+  const Result<GarmentExtraction> extraction = CheckAndExtract(extractor, upload.statement, photos, is_cancelled);
   if (!extraction.ok()) {
     if (IsFinal(extraction.status())) FR_RETURN_IF_ERROR(store.DropUpload(upload_id));
     return extraction.status();

@@ -12,8 +12,8 @@ using GarmentExtractor = std::function<Result<GarmentExtraction>(const Extractio
 
 // Ends an upload: reads the photographs back from the store, checks size and hash of what is really held, extracts the
 // garment and publishes it with its images in one transaction.
-// FAILED_PRECONDITION [UPLOAD_INCOMPLETE] and CANCELLED leave the upload as it is; DATA_LOSS [UPLOAD_HASH_MISMATCH] and
-// a refusal by the extractor drop it. Nothing is published unless the answer is OK.
+// FAILED_PRECONDITION [UPLOAD_INCOMPLETE], CANCELLED and the store's own errors leave the upload as it is; DATA_LOSS
+// [UPLOAD_HASH_MISMATCH] and a refusal by the extractor drop it. Nothing is published unless the answer is OK.
 Result<GarmentRecord> FinishPublication(GarmentStore& store, const GarmentExtractor& extractor,
                                         std::string_view upload_id, const std::function<bool()>& is_cancelled);
 
