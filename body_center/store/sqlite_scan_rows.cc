@@ -37,6 +37,8 @@ CREATE TABLE scans (
   neck_girth_m REAL NOT NULL, neck_height_m REAL NOT NULL,
   UNIQUE (body, scan)
 ) STRICT;
+CREATE INDEX scans_by_original_blob ON scans (original_blob_id);
+CREATE INDEX scans_by_packed_mesh_blob ON scans (packed_mesh_blob_id);
 CREATE TABLE scan_landmarks (
   scan_key INTEGER NOT NULL REFERENCES scans (scan_key) ON DELETE CASCADE,
   landmark TEXT NOT NULL,
@@ -66,6 +68,7 @@ CREATE TABLE uploads (
   touch_time_unix_s INTEGER NOT NULL,
   UNIQUE (body, scan)
 ) STRICT;
+CREATE INDEX uploads_by_blob ON uploads (blob_id);
 )sql";
 
 namespace {

@@ -28,6 +28,7 @@ CREATE TABLE garment_images (
   blob_id INTEGER NOT NULL REFERENCES blobs (blob_id),
   PRIMARY KEY (garment, image)
 ) STRICT;
+CREATE INDEX garment_images_by_blob ON garment_images (blob_id);
 CREATE TABLE uploads (
   upload TEXT PRIMARY KEY,
   garment TEXT NOT NULL UNIQUE,
@@ -46,6 +47,7 @@ CREATE TABLE upload_photos (
   blob_id INTEGER NOT NULL REFERENCES blobs (blob_id),
   PRIMARY KEY (upload, side)
 ) STRICT;
+CREATE INDEX upload_photos_by_blob ON upload_photos (blob_id);
 )sql";
 
 namespace {
