@@ -6,20 +6,16 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <utility>
+
+#include "common/base/atomic_file.h"
+#include "common/base/system_error.h"
 
 namespace fitroom {
 namespace {
 
-Status SystemError(const std::filesystem::path& path, int error) {
-  const std::string message = path.string() + ": " + std::strerror(error);
-  if (error == ENOENT || error == ENOTDIR) return NotFound("FILE_NOT_FOUND", message);
-  if (error == EACCES || error == EPERM) return Status(StatusCode::kPermissionDenied, "FILE_NOT_READABLE", message);
-  if (error == ENOSPC || error == EDQUOT) return ResourceExhausted("DISK_FULL", message + "; free some space");
-  return Unavailable("FILE_IO", message);
-}
+Status ReadError(const std::filesystem::path& path, int error) { return SystemError(path, error, "FILE_NOT_READABLE"); }
 
 // Closes a descriptor at the end of its scope.
 class Descriptor {
@@ -38,18 +34,26 @@ class Descriptor {
 
 }  // namespace
 
+Status SystemError(const std::filesystem::path& path, int error, const char* refused) {
+  const std::string message = path.string() + ": " + std::strerror(error);
+  if (error == ENOENT || error == ENOTDIR) return NotFound("FILE_NOT_FOUND", message);
+  if (error == EACCES || error == EPERM) return Status(StatusCode::kPermissionDenied, refused, message);
+  if (error == ENOSPC || error == EDQUOT) return ResourceExhausted("DISK_FULL", message + "; free some space");
+  return Unavailable("FILE_IO", message);
+}
+
 Result<MappedFile> MappedFile::Open(const std::filesystem::path& path) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.get() < 0) return SystemError(path, errno);
+  if (file.get() < 0) return ReadError(path, errno);
   struct stat facts {};
-  if (::fstat(file.get(), &facts) != 0) return SystemError(path, errno);
+  if (::fstat(file.get(), &facts) != 0) return ReadError(path, errno);
   if (!S_ISREG(facts.st_mode)) {
     return InvalidArgument("NOT_A_FILE", path.string() + " is not a regular file; name a file");
   }
   const auto size = static_cast<size_t>(facts.st_size);
   if (size == 0) return MappedFile(nullptr, 0);
   void* address = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.get(), 0);
-  if (address == MAP_FAILED) return SystemError(path, errno);
+  if (address == MAP_FAILED) return ReadError(path, errno);
   return MappedFile(address, size);
 }
 
@@ -76,23 +80,9 @@ Result<std::string> ReadFile(const std::filesystem::path& path, size_t max_size)
 }
 
 Status WriteFileAtomically(const std::filesystem::path& path, std::string_view content) {
-  std::string temporary = path.string() + ".XXXXXX";
-  const Descriptor file(::mkostemp(temporary.data(), O_CLOEXEC));
-  if (file.get() < 0) return SystemError(path, errno);
-  const auto abandon = [&](int error) {
-    ::unlink(temporary.c_str());
-    return SystemError(path, error);
-  };
-  size_t written = 0;
-  while (written < content.size()) {
-    const ssize_t count = ::write(file.get(), content.data() + written, content.size() - written);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return abandon(errno);
-    written += static_cast<size_t>(count);
-  }
-  if (::fchmod(file.get(), 0644) != 0 || ::fsync(file.get()) != 0) return abandon(errno);
-  if (::rename(temporary.c_str(), path.c_str()) != 0) return abandon(errno);
-  return Status();
+  FR_ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::Create(path));
+  FR_RETURN_IF_ERROR(file.Write(content));
+  return file.Commit();
 }
 
 }  // namespace fitroom
