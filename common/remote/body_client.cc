@@ -4,6 +4,7 @@
 
 #include "common/remote/body_convert.h"
 #include "common/remote/chunk.h"
+#include "common/remote/list_all.h"
 #include "common/rpc/client.h"
 #include "common/rpc/status_conversion.h"
 #include "fitroom/body/v1/scan_service.grpc.pb.h"
@@ -159,14 +160,10 @@ Result<ScanPage> BodyClient::ListScans(std::string_view body, int page_size, con
 }
 
 Result<std::vector<ScanRecord>> BodyClient::ListAllScans(std::string_view body) {
-  std::vector<ScanRecord> scans;
-  std::string token;
-  do {
+  return ListAll<ScanRecord>([&](const std::string& token) -> Result<ListPage<ScanRecord>> {
     FR_ASSIGN_OR_RETURN(ScanPage page, ListScans(body, /*page_size=*/200, token));
-    std::move(page.scans.begin(), page.scans.end(), std::back_inserter(scans));
-    token = page.next_page_token;
-  } while (!token.empty());
-  return scans;
+    return ListPage<ScanRecord>{std::move(page.scans), std::move(page.next_page_token)};
+  });
 }
 
 // One stream; `offset` moves with what `sink` has taken, so that the next one can go on there.

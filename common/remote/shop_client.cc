@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "common/remote/chunk.h"
+#include "common/remote/list_all.h"
 #include "common/remote/shop_convert.h"
 #include "common/rpc/client.h"
 #include "common/rpc/status_conversion.h"
@@ -156,14 +157,10 @@ Result<GarmentPage> ShopClient::ListGarments(int page_size, const std::string& p
 }
 
 Result<std::vector<GarmentRecord>> ShopClient::ListAllGarments() {
-  std::vector<GarmentRecord> garments;
-  std::string token;
-  do {
+  return ListAll<GarmentRecord>([&](const std::string& token) -> Result<ListPage<GarmentRecord>> {
     FR_ASSIGN_OR_RETURN(GarmentPage page, ListGarments(/*page_size=*/200, token));
-    std::move(page.garments.begin(), page.garments.end(), std::back_inserter(garments));
-    token = page.next_page_token;
-  } while (!token.empty());
-  return garments;
+    return ListPage<GarmentRecord>{std::move(page.garments), std::move(page.next_page_token)};
+  });
 }
 
 // One stream; `offset` moves with what `sink` has taken, so that the next one can go on there.
