@@ -58,11 +58,22 @@ Result<std::vector<float>> RoundToFloat(const TriangleMesh& mesh) {
 }
 
 // The smallest code that meshoptimizer makes: a block of at most 256 vertices takes 2 bits a group of 16 for each of
-// its 12 byte planes; an index of a sequence takes a byte. A count beyond that is a lie.
+// its 12 byte planes; an index of a sequence takes a byte. The largest is the bound that it encodes into. A count
+// beyond either is a lie.
 bool CountsFitCode(const Header& header) {
   const uint64_t block_count = (uint64_t{header.vertex_count} + 255) / 256;
-  return (header.vertex_count == 0 || header.vertex_code_size >= (block_count - 1) * 12 * 4) &&
-         header.index_code_size >= 3 * uint64_t{header.triangle_count};
+  const uint64_t index_count = 3 * uint64_t{header.triangle_count};
+  const bool is_vertex_code_possible =
+      header.vertex_count == 0
+          ? header.vertex_code_size == 0
+          : header.vertex_code_size >= (block_count - 1) * 12 * 4 &&
+                header.vertex_code_size <= meshopt_encodeVertexBufferBound(header.vertex_count, kVertexSize);
+  const bool is_index_code_possible =
+      index_count == 0
+          ? header.index_code_size == 0
+          : header.index_code_size >= index_count &&
+                header.index_code_size <= meshopt_encodeIndexSequenceBound(index_count, header.vertex_count);
+  return is_vertex_code_possible && is_index_code_possible;
 }
 
 Result<Header> ReadHeader(std::string_view bytes) {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "common/codec/crc32c.h"
+#include "common/codec/zstd.h"
 
 namespace fitroom {
 namespace {
@@ -130,6 +131,20 @@ TEST(PackedMesh, BelievesNoForgedCount) {
   PackedMeshLimits limits;
   limits.max_vertex_count = 399;
   EXPECT_EQ(UnpackMesh(packed, limits).status().code(), StatusCode::kResourceExhausted);
+}
+
+// A payload that unpacks to far more than the counts can need is refused by its head alone.
+TEST(PackedMesh, RefusesCodeThatIsTooLongForItsCounts) {
+  const std::string packed = *PackMesh(MakeSheet(20, 20));
+  const std::string padding = ZstdCompress(std::string(size_t{16} << 20, '\0'));
+  for (const size_t offset : {16U, 20U}) {  // Of the vertices' code, of the triangles'.
+    std::string forged = packed.substr(0, 32) + padding;
+    forged = Forge(forged, 24, static_cast<uint32_t>(padding.size()));
+    forged = Forge(forged, offset, 16U << 20);
+    const Status status = UnpackMesh(forged).status();
+    EXPECT_EQ(status.code(), StatusCode::kDataLoss);
+    EXPECT_NE(status.message().find("declares more than it can hold"), std::string::npos) << status.message();
+  }
 }
 
 // Random bytes behind a true head with a right checksum: never a crash, never a mesh that breaks its own promises.
