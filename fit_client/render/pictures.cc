@@ -4,15 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <optional>
-#include <system_error>
-#include <thread>
 
 #include "common/image/encode.h"
 #include "fit_client/render/garment_surface.h"
 #include "fit_client/render/image_scaling.h"
 #include "fit_client/render/label.h"
 #include "fit_client/render/renderer.h"
+#include "fit_client/render/run_both.h"
 
 namespace fitroom::render {
 namespace {
@@ -149,25 +147,6 @@ DrawnPictures DrawShare(const std::vector<Scene>& scenes, const std::vector<Came
   return drawn;
 }
 
-// Runs both, the second on a thread of its own where two are allowed and one can be had.
-template <typename First, typename Second>
-void RunBoth(int thread_count, First first, Second second) {
-  std::optional<std::thread> other;
-  if (thread_count > 1) {
-    try {
-      other.emplace(second);
-    } catch (const std::system_error&) {
-      other.reset();
-    }
-  }
-  first();
-  if (other) {
-    other->join();
-  } else {
-    second();
-  }
-}
-
 void CopyInto(const Image& from, Image& to, int x, int y) {
   for (int row = 0; row < from.height; ++row) {
     std::memcpy(to.at(x, y + row), from.at(0, row), static_cast<size_t>(from.width) * 3);
@@ -224,9 +203,9 @@ Result<std::vector<NamedPicture>> DrawFitPictures(const FitPictureRequest& reque
 
   DrawnPictures finals;
   DrawnPictures stages;
-  RunBoth(
+  FR_RETURN_IF_ERROR(RunBoth(
       request.thread_count, [&] { finals = DrawShare(final_scene, final_cameras); },
-      [&] { stages = DrawShare(stage_scenes, stage_cameras); });
+      [&] { stages = DrawShare(stage_scenes, stage_cameras); }));
   FR_RETURN_IF_ERROR(finals.status);
   FR_RETURN_IF_ERROR(stages.status);
 
