@@ -1,12 +1,14 @@
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "body_center/cli/commands.h"
 #include "body_center/cli/scan_table.h"
+#include "common/base/atomic_file.h"
 #include "common/base/exit_code.h"
 #include "common/base/progress.h"
 #include "common/codec/hash.h"
@@ -22,23 +24,32 @@ struct ExportOptions {
   std::string server = kDefaultServer;
 };
 
-// Downloads into `out` and checks size and hash of what was written.
-Status DownloadTo(remote::BodyClient& client, const ScanRecord& scan, ScanContent content, std::ostream& out) {
+Status OutputRefused() {
+  return ResourceExhausted("WRITE_FAILED", "cannot write to standard output; is the disk full?");
+}
+
+Status WriteToStandardOutput(std::string_view bytes) {
+  return std::cout.write(bytes.data(), std::ssize(bytes)) ? Status() : OutputRefused();
+}
+
+// Downloads into `write` and checks size and hash of what was written.
+Status DownloadTo(remote::BodyClient& client, const ScanRecord& scan, ScanContent content,
+                  const std::function<Status(std::string_view)>& write) {
   const bool is_original = content == ScanContent::kOriginal;
   const int64_t size = is_original ? scan.original_size : scan.packed_mesh_size;
   ProgressBar bar;
   Blake2bHasher hasher;
   int64_t received = 0;
   FR_RETURN_IF_ERROR(client.Download(scan.name, content, /*offset=*/0, [&](std::string_view bytes) -> Status {
+    // No more is written than was announced, whatever the server sends.
+    if (std::ssize(bytes) > size - received) {
+      return DataLoss("DOWNLOAD_TOO_LONG", "more bytes arrive than were registered; export it again");
+    }
     hasher.Update(bytes);
     received += std::ssize(bytes);
-    if (!out.write(bytes.data(), std::ssize(bytes))) {
-      return ResourceExhausted("WRITE_FAILED", "cannot write the file; is the disk full?");
-    }
     bar.Update("receiving", static_cast<double>(received) / static_cast<double>(size));
-    return Status();
+    return write(bytes);
   }));
-  if (!out.flush()) return ResourceExhausted("WRITE_FAILED", "cannot write the file; is the disk full?");
   if (received != size || hasher.Finish() != (is_original ? scan.original_hash : scan.packed_mesh_hash)) {
     return DataLoss("DOWNLOAD_HASH_MISMATCH", "what arrived is not what was registered; export it again");
   }
@@ -50,23 +61,15 @@ Status Export(const ExportOptions& options) {
   remote::BodyClient client(options.server);
   FR_ASSIGN_OR_RETURN(const ScanRecord scan, client.GetScan(name));
   const ScanContent content = options.packed_mesh ? ScanContent::kPackedMesh : ScanContent::kOriginal;
-  if (options.out == "-") return DownloadTo(client, scan, content, std::cout);
-  // The file appears under its name only when it is whole.
-  std::filesystem::path partial = options.out;
-  partial += ".part";
-  std::ofstream file(partial, std::ios::binary | std::ios::trunc);
-  if (!file)
-    return Status(StatusCode::kPermissionDenied, "FILE_NOT_WRITABLE", partial.string() + ": cannot be written");
-  const Status status = DownloadTo(client, scan, content, file);
-  file.close();
-  std::error_code error;
-  if (status.ok()) {
-    std::filesystem::rename(partial, options.out, error);
-    if (error) return Unavailable("FILE_IO", options.out.string() + ": " + error.message());
-  } else {
-    std::filesystem::remove(partial, error);
+  if (options.out == "-") {
+    FR_RETURN_IF_ERROR(DownloadTo(client, scan, content, WriteToStandardOutput));
+    if (!std::cout.flush()) return OutputRefused();
+    return Status();
   }
-  return status;
+  // The file appears under its name only when it is whole.
+  FR_ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::Create(options.out));
+  FR_RETURN_IF_ERROR(DownloadTo(client, scan, content, [&file](std::string_view bytes) { return file.Write(bytes); }));
+  return file.Commit();
 }
 
 }  // namespace
