@@ -6,7 +6,7 @@
 #include "common/base/exit_code.h"
 
 int main(int argc, char** argv) {
-  CLI::App app("Registers whole-body laser scans and serves them to the consumers they belong to", "body_center");
+  CLI::App app("Registers whole-body laser scans and serves them on this machine", "body_center");
   app.set_version_flag("--version", "body_center " FITROOM_VERSION);
   app.require_subcommand(1);
   int exit_code = 0;

@@ -47,8 +47,8 @@ struct EaseAtPlace {
 
 // A quantity that had to fall below a limit for the fit to be called finished.
 struct Residual {
-  std::string name;    // For people: "shoulder points to body", "speed of 98.5 % of the particles".
-  std::string symbol;  // For programs, [a-z0-9_]+: "shoulder_distance", "speed_p985".
+  std::string name;    // For people: "shoulder points to body", "speed of 99 % of the particles".
+  std::string symbol;  // For programs, [a-z0-9_]+: "shoulder_distance", "speed_p99".
   double value = 0.0;  // In the residual's own unit, SI.
   double limit = 0.0;  // In the same unit.
   std::string unit;    // "m", "m/s".

@@ -27,7 +27,7 @@ class ShopServer {
 
   // Host and the port that was really bound.
   virtual const std::string& address() const = 0;
-  // Drains and closes the store. Returns when all calls have ended.
+  // Drains: returns when all calls have ended. The store stays open until the destructor closes it.
   virtual void Shutdown() = 0;
 };
 

@@ -34,6 +34,7 @@ const std::vector<Rule> kRules = {
     {"common/body", {R"(^common/(?!base/|geometry/|body/))", kGrpc, kOpenCv, kSqlite}},
     {"common/codec", {R"(^common/(?!base/|geometry/|codec/))", kGrpc, kOpenCv, kSqlite}},
     {"common/scan_file", {R"(^common/(?!base/|geometry/|codec/|scan_file/))", kGrpc, kOpenCv, kSqlite}},
+    {"common/garment", {R"(^common/(?!base/|geometry/|image/|garment/))", kGrpc, kOpenCv, kSqlite, kBodies}},
     {"common/image", {R"(^common/(?!base/|image/))", kGrpc, kSqlite}},
     {"common/sqlite", {R"(^common/(?!base/|sqlite/))", kGrpc, kOpenCv}},
     {"common/rpc", {R"(^common/(?!base/|rpc/))", kOpenCv, R"(^sqlite3\.h$)"}},
