@@ -1,4 +1,5 @@
 #include <charconv>
+#include <cstdlib>
 #include <fstream>
 
 #include <gtest/gtest.h>
