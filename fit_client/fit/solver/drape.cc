@@ -26,10 +26,14 @@ constexpr double kFallingStep =
 constexpr double kSettlingStep = 1.6e-4;  // At the end (unit: second): stretch falls with the square of the step.
 constexpr double kSettlingSpeed = 0.06;   // Falling ends when 99 % are slower (unit: m/s).
 constexpr double kDrapingDrag = 12.0;     // (unit: 1/s). Over-critical for a hem that swings on 0.6 m of cloth.
-constexpr int kRestWindows = 3;           // Rest must hold for this many sixtieths of a second.
+// What still creeps or trembles after each second of hanging is damped twice as much: the end is the same, sooner.
+constexpr double kLargestDrag = 100.0;  // (unit: 1/s)
+constexpr int kRestWindows = 3;         // Rest must hold for this many sixtieths of a second.
 // Rest that holds for so long ends the run although samples stay closer than the clearance: where cloth is squeezed
 // between arm and trunk there is no room for it. Whether any is inside the body is measured and reported.
 constexpr int kPatientRestWindows = 12;
+// After so many windows of hanging offsets are raised no more: where there is no room they would only shake the cloth.
+constexpr int kRaisingWindows = 60;
 constexpr int kOffBodyRestWindows = 60;  // The same where a vertex that has to touch the body does not.
 
 // Runs the stages of one call of Drape().
@@ -58,6 +62,7 @@ class DrapeRun {
   Status Merge();
   Status LetHang();
   void Relax(ClothSolver& solver, ClothState& state);
+  void LiftOut(const ClothModel& model);
   void Conclude();
 
   // Says whether the cloth is at rest, from how far particles went in a sixtieth of a second; fills the report.
@@ -326,6 +331,7 @@ Status DrapeRun::LetHang() {
   FR_RETURN_IF_ERROR(CheckFinite(state));
   TakePositions(model, state);
 
+  int window_count = 0;
   int windows_at_rest = 0;
   bool is_settling = false;
   std::vector<Eigen::Vector3d> before = ClothSolver::Positions(state, model.particle_count());
@@ -341,11 +347,16 @@ Status DrapeRun::LetHang() {
     const bool at_rest = IsAtRest(before, after, window * motion.time_step, state);
     windows_at_rest = at_rest && is_settling ? windows_at_rest + 1 : 0;
     before = after;
-    const int samples_too_close = solver.RaiseOffsets(state, options_.sample_clearance);
+    const int samples_too_close =
+        ++window_count <= kRaisingWindows ? solver.RaiseOffsets(state, options_.sample_clearance) : 1;
     const int windows_needed = !TouchesBody()           ? kOffBodyRestWindows
                                : samples_too_close == 0 ? kRestWindows
                                                         : kPatientRestWindows;
     if (windows_at_rest >= windows_needed) break;
+    if (window_count % kRaisingWindows == 0 && motion.drag < kLargestDrag) {
+      motion.drag *= 2.0;
+      solver.SetMotion(motion);
+    }
     if (!is_settling && report_.speed_p99 < kSettlingSpeed) {
       is_settling = true;
       motion.time_step = kSettlingStep * edge_scale;
@@ -353,6 +364,7 @@ Status DrapeRun::LetHang() {
     }
     Observe(DrapeStage::kDraping, 0.3 + 0.7 * report_.draping_substeps / options_.draping_substep_limit);
   }
+  LiftOut(model);
   TouchesBody();
   report_.outcome = !open_seams_.empty()              ? DrapeOutcome::kSeamsOpen
                     : windows_at_rest >= kRestWindows ? DrapeOutcome::kAtRest
@@ -361,6 +373,26 @@ Status DrapeRun::LetHang() {
   MeasurePenetration(model, ParticlePositions(model), body_, executor_, report_);
   report_.self_crossing_count = CountSelfCrossings(model, ParticlePositions(model), executor_);
   return Status();
+}
+
+// Puts the few particles that a crease of the body holds on its surface or just below it a little outside.
+void DrapeRun::LiftOut(const ClothModel& model) {
+  constexpr double kLeast = 2e-4;  // Signed distance that every particle is to have (unit: metre).
+  constexpr int kSteps = 4;
+  std::vector<Eigen::Vector3d> places = ParticlePositions(model);
+  for (Eigen::Vector3d& place : places) {
+    for (int step = 0; step < kSteps; ++step) {
+      const SignedDistanceField::Sample sample = body_.Query(place);
+      if (sample.distance > 0.5 * body_.pitch()) break;
+      const double distance = body_.ExactDistance(place);
+      const double length = sample.gradient.norm();
+      if (distance >= kLeast || length < 0.1) break;
+      place += sample.gradient / length * (2.0 * kLeast - distance);
+    }
+  }
+  for (size_t vertex = 0; vertex < positions_.size(); ++vertex) {
+    positions_[vertex] = places[static_cast<size_t>(model.particle_of_vertex()[vertex])];
+  }
 }
 
 void DrapeRun::Conclude() {
