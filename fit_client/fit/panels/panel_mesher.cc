@@ -20,6 +20,8 @@ constexpr double kLongEdge = 1.38;
 // Points further than this from the outline are not moved (unit: pitch).
 constexpr double kSmoothingDepth = 3.5;
 constexpr int kSmoothingRounds = 3;
+constexpr double kSharpAngle =
+    30.0 * std::numbers::pi / 180.0;  // Triangles with a smaller angle are mended (unit: radian).
 constexpr int kSweepsPerRound = 4;
 
 // Answers how far points lie from the outline, by buckets of outline segments. Distances are exact up to `reach`.
@@ -169,6 +171,52 @@ void SmoothNearOutline(int outline_count, const OutlineDistance& distance, doubl
   }
 }
 
+// The smallest angle of a triangle (unit: radian); negative for one that is turned over or flat.
+double SmallestAngle(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+  if (!IsPositive(a, b, c, 0.0)) return -1.0;
+  const auto angle = [](const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
+    return std::acos(std::clamp(u.dot(v) / (u.norm() * v.norm()), -1.0, 1.0));
+  };
+  return std::min({angle(b - a, c - a), angle(a - b, c - b), angle(a - c, b - c)});
+}
+
+// Moves inner points of triangles that are too sharp to where the sharpest angle round the point is widest, looking in
+// eight directions with ever shorter steps. What averaging leaves between a curved outline and the lattice is mended
+// so.
+void OpenSharpAngles(int outline_count, double pitch, PanelMesh& mesh) {
+  std::vector<std::vector<int>> triangles_of(mesh.points.size());
+  for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (const int v : mesh.triangles[t]) triangles_of[static_cast<size_t>(v)].push_back(static_cast<int>(t));
+  }
+  const auto sharpest_round = [&](size_t v) {
+    double sharpest = std::numbers::pi;
+    for (const int t : triangles_of[v]) {
+      const Eigen::Vector3i& corner = mesh.triangles[static_cast<size_t>(t)];
+      sharpest = std::min(sharpest, SmallestAngle(mesh.points[static_cast<size_t>(corner[0])],
+                                                  mesh.points[static_cast<size_t>(corner[1])],
+                                                  mesh.points[static_cast<size_t>(corner[2])]));
+    }
+    return sharpest;
+  };
+  for (double step = 0.16 * pitch; step > 0.01 * pitch; step *= 0.5) {
+    for (size_t v = static_cast<size_t>(outline_count); v < mesh.points.size(); ++v) {
+      double best = sharpest_round(v);
+      if (best > kSharpAngle) continue;
+      const Eigen::Vector2d from = mesh.points[v];
+      Eigen::Vector2d to = from;
+      for (int direction = 0; direction < 8; ++direction) {
+        const double heading = direction * std::numbers::pi / 4.0;
+        mesh.points[v] = from + step * Eigen::Vector2d(std::cos(heading), std::sin(heading));
+        const double sharpest = sharpest_round(v);
+        if (sharpest <= best) continue;
+        best = sharpest;
+        to = mesh.points[v];
+      }
+      mesh.points[v] = to;
+    }
+  }
+}
+
 }  // namespace
 
 Result<PanelMesh> MeshPanel(std::span<const Eigen::Vector2d> outline, double pitch) {
@@ -186,7 +234,11 @@ Result<PanelMesh> MeshPanel(std::span<const Eigen::Vector2d> outline, double pit
   const int outline_count = static_cast<int>(outline.size());
   for (int round = 0;; ++round) {
     FR_ASSIGN_OR_RETURN(mesh.triangles, TriangulatePolygon(mesh.points, outline_count));
-    if (round == kSmoothingRounds) break;
+    if (round == kSmoothingRounds) {
+      OpenSharpAngles(outline_count, pitch, mesh);
+      FR_ASSIGN_OR_RETURN(mesh.triangles, TriangulatePolygon(mesh.points, outline_count));
+      break;
+    }
     if (round == 1) {
       SplitLongEdges(distance, outline_count, pitch, mesh);
       FR_ASSIGN_OR_RETURN(mesh.triangles, TriangulatePolygon(mesh.points, outline_count));
