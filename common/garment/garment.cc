@@ -6,51 +6,18 @@
 namespace fitroom {
 namespace {
 
-constexpr std::array<std::string_view, 6> kKindNames = {"tshirt", "long_sleeve", "one_piece",
-                                                        "skirt",  "pants",       "shorts"};
+constexpr std::array<std::string_view, kGarmentKindCount> kKindNames = {
+    "tshirt", "long_sleeve", "one_piece", "skirt", "pants", "shorts", "one_piece_sleeved"};
+constexpr std::array<std::string_view, 4> kProvenanceNames = {"measured", "stated", "ruled", "unknown"};
 
-// Clockwise on a front photograph, from the neck end at the wearer's right (the image's left) over the wearer's left
-// shoulder … the order is by name, not by place:
-//
-//        P1 _neck_drop_ P2            P1 neck end on the wearer's right, P2 on the left
-//     e5 /             \ e1           e1/e5 shoulder at the neck
-//   e6 /                 \ e2         e2/e6 mid-shoulder
-// e7 /                     \ e3       e3/e7 shoulder tip
-//   /  ua_R           ua_L  \         e4/e8 sleeve end, top
-//  e8_/ |               | \_e4
-//       waist_R   waist_L
-//       hip_R       hip_L
-//       hem_R _hem_ hem_L
-const std::vector<std::string> kTopNames = {"P1",
-                                            "P2",
-                                            "e1",
-                                            "e2",
-                                            "e3",
-                                            "e4",
-                                            "e5",
-                                            "e6",
-                                            "e7",
-                                            "e8",
-                                            "sleeve_bottom_L",
-                                            "sleeve_bottom_R",
-                                            "underarm_L",
-                                            "underarm_R",
-                                            "waist_L",
-                                            "waist_R",
-                                            "hip_L",
-                                            "hip_R",
-                                            "hem_L",
-                                            "hem_R",
-                                            "hem_centre",
-                                            "neck_drop"};
-
-// The way round a front photograph, clockwise on the screen from the neck end on the image's left.
-const std::vector<std::string> kTopOrder = {
-    "P1",         "neck_drop",       "P2",    "e1",    "e2",         "e3",    "e4",    "sleeve_bottom_L",
-    "underarm_L", "waist_L",         "hip_L", "hem_L", "hem_centre", "hem_R", "hip_R", "waist_R",
-    "underarm_R", "sleeve_bottom_R", "e8",    "e7",    "e6",         "e5"};
-
-const std::vector<std::string> kNone = {};
+const std::vector<std::string> kTopMeasures = {"shoulder_width", "chest_width",   "waist_width",    "hip_width",
+                                               "hem_width",      "sleeve_length", "sleeve_opening", "neck_width",
+                                               "front_length",   "back_length"};
+const std::vector<std::string> kDressMeasures = {"shoulder_width", "chest_width", "waist_width",  "hip_width",
+                                                 "hem_width",      "neck_width",  "front_length", "back_length"};
+const std::vector<std::string> kSkirtMeasures = {"waist_width", "hip_width", "hem_width", "length"};
+const std::vector<std::string> kTrouserMeasures = {"waist_width", "hip_width", "thigh_width", "knee_width", "hem_width",
+                                                   "front_rise",  "back_rise", "inseam",      "length"};
 
 }  // namespace
 
@@ -63,35 +30,41 @@ std::optional<GarmentKind> GarmentKindFromName(std::string_view name) {
   return std::nullopt;
 }
 
-const std::vector<std::string>& OutlinePointNames(GarmentKind kind) {
+std::string_view ProvenanceName(Provenance provenance) { return kProvenanceNames[static_cast<size_t>(provenance)]; }
+
+std::optional<Provenance> ProvenanceFromName(std::string_view name) {
+  for (size_t i = 0; i < kProvenanceNames.size(); ++i) {
+    if (kProvenanceNames[i] == name) return static_cast<Provenance>(i);
+  }
+  return std::nullopt;
+}
+
+const std::vector<std::string>& MeasureNames(GarmentKind kind) {
   switch (kind) {
-    case GarmentKind::kTShirt:
-    case GarmentKind::kLongSleeve:
-      return kTopNames;
+    case GarmentKind::kOnePiece:
+      return kDressMeasures;
+    case GarmentKind::kSkirt:
+      return kSkirtMeasures;
+    case GarmentKind::kPants:
+    case GarmentKind::kShorts:
+      return kTrouserMeasures;
     default:
-      return kNone;
+      return kTopMeasures;
   }
 }
 
-std::vector<std::string> OutlineOrder(GarmentKind kind, GarmentSide side) {
-  if (OutlinePointNames(kind).empty()) return {};
-  std::vector<std::string> order = kTopOrder;
-  if (side == GarmentSide::kBack) std::reverse(order.begin(), order.end());
-  return order;
+const GarmentSize* FindSize(const SizeChart& chart, std::string_view name) {
+  for (const GarmentSize& size : chart.sizes) {
+    if (size.name == name) return &size;
+  }
+  return nullptr;
 }
 
-std::string TwinPointName(std::string_view name) {
-  std::string twin(name);
-  if (name == "P1") return "P2";
-  if (name == "P2") return "P1";
-  if (name.size() == 2 && name[0] == 'e') {
-    twin[1] = static_cast<char>(name[1] <= '4' ? name[1] + 4 : name[1] - 4);
-  } else if (name.ends_with("_L")) {
-    twin.back() = 'R';
-  } else if (name.ends_with("_R")) {
-    twin.back() = 'L';
+const GarmentMeasure* FindMeasure(const std::vector<GarmentMeasure>& measures, std::string_view name) {
+  for (const GarmentMeasure& measure : measures) {
+    if (measure.name == name) return &measure;
   }
-  return twin;
+  return nullptr;
 }
 
 const OutlinePoint* FindPoint(const GarmentView& view, std::string_view name) {

@@ -9,9 +9,21 @@
 
 namespace fitroom {
 
-enum class GarmentKind { kTShirt, kLongSleeve, kOnePiece, kSkirt, kPants, kShorts };
+// A one-piece has other points with sleeves than without, so that it counts as two kinds.
+enum class GarmentKind { kTShirt, kLongSleeve, kOnePiece, kSkirt, kPants, kShorts, kSleevedOnePiece };
+inline constexpr int kGarmentKindCount = 7;
 
-// Returns the kind as users type it: "tshirt", "long_sleeve", "one_piece", "skirt", "pants", "shorts".
+// Tops and one-pieces are put on from the neck down, bottoms from below.
+constexpr bool IsBottom(GarmentKind kind) {
+  return kind == GarmentKind::kSkirt || kind == GarmentKind::kPants || kind == GarmentKind::kShorts;
+}
+constexpr bool HasLegs(GarmentKind kind) { return kind == GarmentKind::kPants || kind == GarmentKind::kShorts; }
+constexpr bool HasSleeves(GarmentKind kind) {
+  return kind == GarmentKind::kTShirt || kind == GarmentKind::kLongSleeve || kind == GarmentKind::kSleevedOnePiece;
+}
+
+// Returns the kind as users type it: "tshirt", "long_sleeve", "one_piece", "skirt", "pants", "shorts",
+// "one_piece_sleeved".
 std::string_view GarmentKindName(GarmentKind kind);
 std::optional<GarmentKind> GarmentKindFromName(std::string_view name);
 
@@ -43,10 +55,35 @@ struct GarmentView {
   std::vector<OutlinePoint> points;  // The 22 of the kind, in the order of OutlinePointNames().
 };
 
-// A length measured on the flat garment, for people and size tables; the fit measures its panels itself.
+// How a measure is known. A verdict is refused where a deciding one is unknown.
+enum class Provenance {
+  kMeasured,  // On the photographs.
+  kStated,    // By the shop.
+  kRuled,     // By a drafting rule: an estimate.
+  kUnknown,   // Folding hides it and nothing was stated.
+};
+std::string_view ProvenanceName(Provenance provenance);  // "measured", "stated", "ruled", "unknown".
+std::optional<Provenance> ProvenanceFromName(std::string_view name);
+
+// A length measured on the flat garment, for people and size tables; the fit measures its panels itself. Widths are
+// flat: half a girth.
 struct GarmentMeasure {
-  std::string name;    // For example "chest_width".
+  std::string name;    // See MeasureNames().
   double value = 0.0;  // (unit: metre)
+  Provenance provenance = Provenance::kMeasured;
+};
+
+// One size of a chart: flat measures of the garment, and the body girths that the shop cuts it for.
+struct GarmentSize {
+  std::string name;                      // For example "M" or "38"; 1 to 16 bytes.
+  std::vector<GarmentMeasure> measures;  // Of the flat garment (unit: metre).
+  std::vector<GarmentMeasure> body;      // "bust", "waist", "hip": girths, full circle (unit: metre). May be empty.
+};
+
+// All sizes of a garment, the smallest first.
+struct SizeChart {
+  std::vector<GarmentSize> sizes;
+  std::string photographed_size;  // Which of them the photographs show.
 };
 
 // A garment as published: what the fit needs to know and no more.
@@ -58,7 +95,21 @@ struct Garment {
   GarmentView front;
   std::optional<GarmentView> back;  // Absent: the front's outline serves for both.
   std::vector<GarmentMeasure> measures;
+  std::string fabric = "jersey";  // A preset of the fit: "jersey", "woven", "denim" or "stretch".
+  SizeChart chart;                // Empty: only the photographed size exists.
+  // Bottoms with legs: photographed with one leg laid over the other, so that the crotch curve, which folding hides in
+  // the other photographs, lies flat. Points: see SideFoldedPointNames().
+  std::optional<GarmentView> side_folded;
 };
+
+// Returns the size of that name, or nullptr.
+const GarmentSize* FindSize(const SizeChart& chart, std::string_view name);
+// Returns the measure of that name, or nullptr.
+const GarmentMeasure* FindMeasure(const std::vector<GarmentMeasure>& measures, std::string_view name);
+
+// Returns the flat measures that a kind has, in the order of tables: tops "shoulder_width", "chest_width", …; bottoms
+// "waist_width", "hip_width", …, "front_rise", "back_rise", "thigh_width".
+const std::vector<std::string>& MeasureNames(GarmentKind kind);
 
 // Returns the names of the 22 points of a kind, in the order used everywhere. Names end in _L or _R for the wearer's
 // left and right.
@@ -68,9 +119,14 @@ const std::vector<std::string>& OutlinePointNames(GarmentKind kind);
 // screen. A back view is passed the other way round, because it is seen from the other side.
 std::vector<std::string> OutlineOrder(GarmentKind kind, GarmentSide side);
 
-// Returns the name of the same point on the wearer's other side: "hem_R" for "hem_L", "e5" for "e1", "P2" for "P1"; a
-// point on the middle is its own twin.
-std::string TwinPointName(std::string_view name);
+// Returns the names of the points of a side-folded photograph of a bottom with legs, in the order of its outline.
+const std::vector<std::string>& SideFoldedPointNames();
+
+// Returns the name of the same point on the wearer's other side: "hem_R" for "hem_L", "P2" for "P1", "e5" for "e1" of a
+// top and "e3" for "e1" of a bottom; a point on the middle is its own twin.
+std::string TwinPointName(GarmentKind kind, std::string_view name);
+// Says whether the point belongs to the wearer's left half.
+bool IsLeftPoint(GarmentKind kind, std::string_view name);
 
 // Returns the view's point of that name, or nullptr.
 const OutlinePoint* FindPoint(const GarmentView& view, std::string_view name);

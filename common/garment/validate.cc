@@ -58,19 +58,33 @@ Status CheckOutline(const GarmentView& view) {
   return {};
 }
 
+// Two pairs of points tell up from down: the upper end of a garment and its lower one.
+struct Uprights {
+  const char* upper_left;
+  const char* upper_right;
+  const char* lower_left;
+  const char* lower_right;
+};
+constexpr Uprights kNeckAndHem = {"P2", "P1", "hem_L", "hem_R"};
+constexpr Uprights kWaistAndHem = {"e1", "e3", "e2", "e4"};
+
 // On a front photograph the wearer's left lies on the image's right. Right is taken across the garment, from the hem up
-// to the neck, so that a tilted garment is not mistaken for a swapped one.
+// to the neck or waist, so that a tilted garment is not mistaken for a swapped one.
 Status CheckSides(GarmentKind kind, const GarmentView& view) {
-  const Eigen::Vector2d neck = 0.5 * (At(view, "P1") + At(view, "P2"));
-  const Eigen::Vector2d hem = 0.5 * (At(view, "hem_L") + At(view, "hem_R"));
-  const Eigen::Vector2d up = neck - hem;
-  if (up.norm() < 1.0) return Invalid("POINT_OUT_OF_ORDER", "P1, P2, hem_L and hem_R: the neck lies on the hem");
+  const Uprights& ends = IsBottom(kind) ? kWaistAndHem : kNeckAndHem;
+  const Eigen::Vector2d top = 0.5 * (At(view, ends.upper_left) + At(view, ends.upper_right));
+  const Eigen::Vector2d hem = 0.5 * (At(view, ends.lower_left) + At(view, ends.lower_right));
+  const Eigen::Vector2d up = top - hem;
+  if (up.norm() < 1.0) {
+    return Invalid("POINT_OUT_OF_ORDER", std::string(ends.upper_left) + ", " + ends.upper_right + ", " +
+                                             ends.lower_left + " and " + ends.lower_right +
+                                             ": the upper end lies on the hem");
+  }
   Eigen::Vector2d toward_left(-up.y(), up.x());
   if (view.side == GarmentSide::kBack) toward_left = -toward_left;
   for (const std::string& name : OutlinePointNames(kind)) {
-    const std::string twin = TwinPointName(name);
-    const bool is_left = name == "P2" || name.ends_with("_L") || (name[0] == 'e' && name[1] <= '4');
-    if (twin == name || !is_left) continue;
+    const std::string twin = TwinPointName(kind, name);
+    if (twin == name || !IsLeftPoint(kind, name)) continue;
     if ((At(view, name) - At(view, twin)).dot(toward_left) <= 0) {
       return Invalid("POINTS_SWAPPED", name + " and " + twin +
                                            " are on each other's side; left and right are the wearer's: on a front "
@@ -137,10 +151,6 @@ bool IsPlainFileName(std::string_view name) {
 
 Status ValidatePoints(GarmentKind kind, const GarmentView& view) {
   const std::vector<std::string>& names = OutlinePointNames(kind);
-  if (names.empty()) {
-    return Status(StatusCode::kUnimplemented, "KIND_NOT_SUPPORTED",
-                  "no points are defined yet for the kind " + std::string(GarmentKindName(kind)));
-  }
   for (const OutlinePoint& point : view.points) {
     if (std::find(names.begin(), names.end(), point.name) == names.end()) {
       return Invalid("POINT_UNKNOWN",

@@ -39,13 +39,14 @@ static_assert(static_cast<int>(GarmentKind::kOnePiece) + 1 == shop::v1::GARMENT_
 static_assert(static_cast<int>(GarmentKind::kSkirt) + 1 == shop::v1::GARMENT_KIND_SKIRT);
 static_assert(static_cast<int>(GarmentKind::kPants) + 1 == shop::v1::GARMENT_KIND_PANTS);
 static_assert(static_cast<int>(GarmentKind::kShorts) + 1 == shop::v1::GARMENT_KIND_SHORTS);
+static_assert(static_cast<int>(GarmentKind::kSleevedOnePiece) + 1 == shop::v1::GARMENT_KIND_ONE_PIECE_SLEEVED);
 static_assert(static_cast<int>(GarmentImageKind::kPhoto) + 1 == shop::v1::IMAGE_KIND_PHOTO);
 static_assert(static_cast<int>(GarmentImageKind::kMask) + 1 == shop::v1::IMAGE_KIND_MASK);
 static_assert(static_cast<int>(GarmentImageKind::kTexture) + 1 == shop::v1::IMAGE_KIND_TEXTURE);
 static_assert(static_cast<int>(GarmentImageKind::kExtraction) + 1 == shop::v1::IMAGE_KIND_EXTRACTION);
 
 Result<GarmentKind> KindFromProto(shop::v1::GarmentKind kind) {
-  if (kind < shop::v1::GARMENT_KIND_TSHIRT || kind > shop::v1::GARMENT_KIND_SHORTS) {
+  if (kind < shop::v1::GARMENT_KIND_TSHIRT || kind > shop::v1::GARMENT_KIND_ONE_PIECE_SLEEVED) {
     return FieldInvalid("kind", "not a kind that this program knows");
   }
   return static_cast<GarmentKind>(static_cast<int>(kind) - 1);

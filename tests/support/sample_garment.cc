@@ -48,7 +48,7 @@ GarmentView MakeView(GarmentSide side, double neck_drop_y) {
     view.outline.push_back({400 + place.x, place.y});
     if (place.name[0] == '\0') continue;
     places[place.name] = {400 + outward * place.x, place.y};
-    places[TwinPointName(place.name)] = {400 - outward * place.x, place.y};
+    places[TwinPointName(GarmentKind::kTShirt, place.name)] = {400 - outward * place.x, place.y};
   }
   view.outline.push_back({400, 740});
   places["hem_centre"] = view.outline.back();

@@ -39,10 +39,10 @@ constexpr double kShallowNeckShare = 0.3;
 constexpr double kShallowNeckMax = 0.025;
 
 // The front's photograph as if it showed the back: the wearer's left and right change places.
-GarmentView AsBack(const GarmentView& front) {
+GarmentView AsBack(GarmentKind kind, const GarmentView& front) {
   GarmentView back = front;
   back.side = GarmentSide::kBack;
-  for (OutlinePoint& point : back.points) point.name = TwinPointName(point.name);
+  for (OutlinePoint& point : back.points) point.name = TwinPointName(kind, point.name);
   return back;
 }
 
@@ -191,9 +191,9 @@ Result<GarmentPattern> ReconcileViews(const Garment& garment) {
   }
   FR_ASSIGN_OR_RETURN(const ViewOutline front_outline,
                       panels::SplitOutline(garment.front, garment.kind, garment.length));
-  FR_ASSIGN_OR_RETURN(
-      const ViewOutline back_outline,
-      panels::SplitOutline(garment.back ? *garment.back : AsBack(garment.front), garment.kind, garment.length));
+  FR_ASSIGN_OR_RETURN(const ViewOutline back_outline,
+                      panels::SplitOutline(garment.back ? *garment.back : AsBack(garment.kind, garment.front),
+                                           garment.kind, garment.length));
   const KnotIndices knots = panels::ChooseKnotIndices(layout, {&front_outline, &back_outline});
   const ViewSamples front = panels::SampleUpright(layout, knots, front_outline, garment.length);
   const ViewSamples back = panels::SampleUpright(layout, knots, back_outline, garment.length);

@@ -143,7 +143,8 @@ TEST(OutlineOrder, PassesEveryPointOnceAndBackwardsOnTheBack) {
   EXPECT_THAT(front, ::testing::UnorderedElementsAreArray(OutlinePointNames(GarmentKind::kTShirt)));
   std::reverse(back.begin(), back.end());
   EXPECT_EQ(front, back);
-  for (const std::string& name : front) EXPECT_EQ(TwinPointName(TwinPointName(name)), name);
+  for (const std::string& name : front)
+    EXPECT_EQ(TwinPointName(GarmentKind::kTShirt, TwinPointName(GarmentKind::kTShirt, name)), name);
 }
 
 }  // namespace

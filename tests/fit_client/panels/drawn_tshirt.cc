@@ -116,7 +116,8 @@ GarmentView DrawView(const DrawnTShirt& shirt, GarmentSide side, const DrawnView
       for (const auto& [named_t, name] : stroke.at) {
         if (named_t != t) continue;
         places[name] = left.back();
-        if (TwinPointName(name) != name) places[TwinPointName(name)] = right.back();
+        if (TwinPointName(GarmentKind::kTShirt, name) != name)
+          places[TwinPointName(GarmentKind::kTShirt, name)] = right.back();
       }
     }
     arc += stroke.length;

@@ -312,7 +312,7 @@ TEST(ReconcileViews, RefusesWithAReason) {
   EXPECT_EQ(reason(bad), "POINT_OFF_OUTLINE");
 
   bad = good;  // Left and right as the image shows them instead of the wearer's.
-  for (OutlinePoint& point : bad.front.points) point.name = TwinPointName(point.name);
+  for (OutlinePoint& point : bad.front.points) point.name = TwinPointName(GarmentKind::kTShirt, point.name);
   EXPECT_EQ(reason(bad), "POINTS_OUT_OF_ORDER");
 
   bad = good;  // The sleeve's end taken for a point: its bottom corner beside its top one, on both sides and views.

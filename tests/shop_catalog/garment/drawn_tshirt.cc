@@ -77,9 +77,9 @@ DrawnTShirt DrawTShirt(const DrawnTShirtOptions& options) {
     drawn.silhouette.push_back(place({corner.across, corner.down}));
     if (corner.name[0] == '\0') continue;
     // The image's right is the wearer's left on a front view and the wearer's right on a back view.
-    const std::string name = front ? corner.name : TwinPointName(corner.name);
+    const std::string name = front ? corner.name : TwinPointName(GarmentKind::kTShirt, corner.name);
     drawn.points[name] = place({corner.across, corner.down});
-    drawn.points[TwinPointName(name)] = place({-corner.across, corner.down});
+    drawn.points[TwinPointName(GarmentKind::kTShirt, name)] = place({-corner.across, corner.down});
   }
   for (size_t i = std::size(kHalf); i > 0; --i)
     drawn.silhouette.push_back(place({-kHalf[i - 1].across, kHalf[i - 1].down}));
