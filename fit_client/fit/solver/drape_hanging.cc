@@ -1,0 +1,214 @@
+#include "fit_client/fit/solver/drape_hanging.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit_client/fit/solver/drape_measures.h"
+
+namespace fitroom {
+namespace {
+
+// Steps and rates of the stages. Tuned on T-shirts of 2 to 0.5 cm pitch; the comments say what breaks outside.
+constexpr int kRelaxingInterval = 64;  // Substeps between looks at samples while relaxing.
+constexpr double kFallingStep =
+    4e-4;  // While the cloth falls (unit: second). Longer: its weight stretches it by over 5 %.
+constexpr double kSettlingStep = 1.6e-4;  // At the end (unit: second): stretch falls with the square of the step.
+constexpr double kSettlingSpeed = 0.06;   // Falling ends when 99 % are slower (unit: m/s).
+constexpr double kDrapingDrag = 12.0;     // (unit: 1/s). Over-critical for a hem that swings on 0.6 m of cloth.
+// What still creeps or trembles after each second of hanging is damped twice as much: the end is the same, sooner.
+constexpr double kLargestDrag = 100.0;  // (unit: 1/s)
+constexpr int kRestWindows = 3;         // Rest must hold for this many sixtieths of a second.
+// Rest that holds for so long ends the run although samples stay closer than the clearance: where cloth is squeezed
+// between arm and trunk there is no room for it. Whether any is inside the body is measured and reported.
+constexpr int kPatientRestWindows = 12;
+// After so many windows of hanging offsets are raised no more: where there is no room they would only shake the cloth.
+constexpr int kRaisingWindows = 60;
+constexpr int kOffBodyRestWindows = 60;  // The same where a vertex that has to touch the body does not.
+
+// The mean edge of the mesh, within what the steps were tuned on (unit: metre).
+double MeanEdgeLength(const ClothMesh& mesh) {
+  double sum = 0.0;
+  for (const Eigen::Vector3i& triangle : mesh.triangles) {
+    for (int corner = 0; corner < 3; ++corner) {
+      sum += (mesh.rest_positions[static_cast<size_t>(triangle[corner])] -
+              mesh.rest_positions[static_cast<size_t>(triangle[(corner + 1) % 3])])
+                 .norm();
+    }
+  }
+  return std::clamp(sum / (3.0 * static_cast<double>(mesh.triangles.size())), 0.004, 0.025);
+}
+
+// The pairs that were closed by merging.
+std::vector<SeamPair> ClosedSeams(const DrapeRun& run) {
+  std::vector<SeamPair> closed;
+  for (const SeamPair& pair : run.mesh.seams) {
+    const bool is_open = std::any_of(run.open_seams.begin(), run.open_seams.end(),
+                                     [&](const SeamPair& open) { return open.a == pair.a && open.b == pair.b; });
+    if (!is_open) closed.push_back(pair);
+  }
+  return closed;
+}
+
+// One welded garment on one body.
+class HangingGarment {
+ public:
+  HangingGarment(DrapeRun& run, const ClothModel& model)
+      : run_(run),
+        model_(model),
+        solver_(model, run.body, run.executor),
+        state_(solver_.MakeState(run.ParticlePositions(model))) {}
+
+  Status Hang() {
+    Relax();
+    FR_RETURN_IF_ERROR(run_.CheckFinite(state_));
+    run_.TakePositions(model_, state_);
+    FR_RETURN_IF_ERROR(ComeToRest());
+    LiftOut();
+    Conclude();
+    return Status();
+  }
+
+ private:
+  void Relax();
+  Status ComeToRest();
+  void LiftOut();
+  void Conclude();
+  // Says whether the cloth is at rest, from how far particles went in a sixtieth of a second; fills the report.
+  bool IsAtRest(const std::vector<Eigen::Vector3d>& before, const std::vector<Eigen::Vector3d>& after, double seconds);
+  bool TouchesBody();
+
+  DrapeRun& run_;
+  const ClothModel& model_;
+  ClothSolver solver_;
+  ClothState state_;
+  int windows_at_rest_ = 0;
+};
+
+// Lets stretch and creases of the start positions go before friction holds them.
+void HangingGarment::Relax() {
+  solver_.SetMotion(QuasiStaticMotion(run_.options));
+  const int limit = run_.options.relaxing_substeps;
+  for (int done = 0; done < limit; done += kRelaxingInterval) {
+    solver_.Advance(state_, std::min(kRelaxingInterval, limit - done), {}, 0.0);
+    solver_.RaiseOffsets(state_, run_.options.sample_clearance);
+  }
+  run_.report.relaxing_substeps = limit;
+  run_.substep += limit;
+}
+
+bool HangingGarment::TouchesBody() {
+  DrapeReport& report = run_.report;
+  report.touching_distance_max = 0.0;
+  for (const int vertex : run_.options.touching_vertices) {
+    report.touching_distance_max =
+        std::max(report.touching_distance_max, run_.body.Distance(run_.positions[static_cast<size_t>(vertex)]));
+  }
+  report.touching_condition_met = report.touching_distance_max <= run_.options.touching_distance;
+  return report.touching_condition_met;
+}
+
+bool HangingGarment::IsAtRest(const std::vector<Eigen::Vector3d>& before, const std::vector<Eigen::Vector3d>& after,
+                              double seconds) {
+  std::vector<double> speeds;
+  size_t slow = 0;
+  for (size_t particle = 0; particle < after.size(); ++particle) {
+    const Float4& v = state_.velocities[particle];
+    const double momentary = std::sqrt(static_cast<double>(v.x * v.x + v.y * v.y + v.z * v.z));
+    const double mean = (after[particle] - before[particle]).norm() / seconds;
+    speeds.push_back(std::max(momentary, mean));
+    if (mean < run_.options.rest_speed) ++slow;
+  }
+  DrapeReport& report = run_.report;
+  report.share_at_rest = static_cast<double>(slow) / static_cast<double>(speeds.size());
+  report.speed_p99 = Percentile(speeds, 0.99);
+  report.speed_max = Percentile(speeds, 1.0);
+  return report.share_at_rest >= run_.options.rest_share && report.speed_p99 < run_.options.rest_speed_of_99_percent;
+}
+
+Status HangingGarment::ComeToRest() {
+  const DrapeOptions& options = run_.options;
+  DrapeReport& report = run_.report;
+  MotionOptions motion;
+  const double edge_scale = MeanEdgeLength(run_.mesh) / 0.01;
+  motion.time_step = kFallingStep * edge_scale;
+  motion.gravity = options.gravity;
+  motion.drag = kDrapingDrag;
+  motion.friction_coefficient = options.friction_coefficient;
+  motion.contact_offset = options.contact_offset;
+  solver_.SetMotion(motion);
+
+  int window_count = 0;
+  bool is_settling = false;
+  std::vector<Eigen::Vector3d> before = ClothSolver::Positions(state_, model_.particle_count());
+  while (report.draping_substeps < options.draping_substep_limit) {
+    const int window = static_cast<int>(std::max(1L, std::lround(1.0 / (60.0 * motion.time_step))));
+    solver_.Advance(state_, window, run_.MakePulls(model_, run_.open_seams), 0.1 * options.closing_speed);
+    report.draping_substeps += window;
+    report.simulated_seconds += window * motion.time_step;
+    run_.substep += window;
+    FR_RETURN_IF_ERROR(run_.CheckFinite(state_));
+    const std::vector<Eigen::Vector3d> after = ClothSolver::Positions(state_, model_.particle_count());
+    run_.TakePositions(model_, state_);
+    const bool at_rest = IsAtRest(before, after, window * motion.time_step);
+    windows_at_rest_ = at_rest && is_settling ? windows_at_rest_ + 1 : 0;
+    before = after;
+    const int samples_too_close =
+        ++window_count <= kRaisingWindows ? solver_.RaiseOffsets(state_, options.sample_clearance) : 1;
+    const int windows_needed = !TouchesBody()           ? kOffBodyRestWindows
+                               : samples_too_close == 0 ? kRestWindows
+                                                        : kPatientRestWindows;
+    if (windows_at_rest_ >= windows_needed) break;
+    if (window_count % kRaisingWindows == 0 && motion.drag < kLargestDrag) {
+      motion.drag *= 2.0;
+      solver_.SetMotion(motion);
+    }
+    if (!is_settling && report.speed_p99 < kSettlingSpeed) {
+      is_settling = true;
+      motion.time_step = kSettlingStep * edge_scale;
+      solver_.SetMotion(motion);
+    }
+    run_.Observe(DrapeStage::kDraping, 0.3 + 0.7 * report.draping_substeps / options.draping_substep_limit);
+  }
+  return Status();
+}
+
+// Puts the few particles that a crease of the body holds on its surface or just below it a little outside.
+void HangingGarment::LiftOut() {
+  constexpr double kLeast = 2e-4;  // Signed distance that every particle is to have (unit: metre).
+  constexpr int kSteps = 4;
+  std::vector<Eigen::Vector3d> places = run_.ParticlePositions(model_);
+  for (Eigen::Vector3d& place : places) {
+    for (int step = 0; step < kSteps; ++step) {
+      const SignedDistanceField::Sample sample = run_.body.Query(place);
+      if (sample.distance > 0.5 * run_.body.pitch()) break;
+      const double distance = run_.body.ExactDistance(place);
+      const double length = sample.gradient.norm();
+      if (distance >= kLeast || length < 0.1) break;
+      place += sample.gradient / length * (2.0 * kLeast - distance);
+    }
+  }
+  for (size_t vertex = 0; vertex < run_.positions.size(); ++vertex) {
+    run_.positions[vertex] = places[static_cast<size_t>(model_.particle_of_vertex()[vertex])];
+  }
+}
+
+void HangingGarment::Conclude() {
+  DrapeReport& report = run_.report;
+  TouchesBody();
+  report.outcome = !run_.open_seams.empty()           ? DrapeOutcome::kSeamsOpen
+                   : windows_at_rest_ >= kRestWindows ? DrapeOutcome::kAtRest
+                                                      : DrapeOutcome::kNotAtRest;
+  const std::vector<Eigen::Vector3d> particles = run_.ParticlePositions(model_);
+  MeasureStrain(model_, particles, run_.mesh, report);
+  MeasurePenetration(model_, particles, run_.body, run_.executor, report);
+  report.self_crossing_count = CountSelfCrossings(model_, particles, run_.executor);
+}
+
+}  // namespace
+
+Status HangGarment(DrapeRun& run) {
+  FR_ASSIGN_OR_RETURN(const ClothModel model, ClothModel::Create(run.mesh, run.options.material, ClosedSeams(run)));
+  return HangingGarment(run, model).Hang();
+}
+
+}  // namespace fitroom

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "common/base/status.h"
+#include "fit_client/fit/solver/drape_run.h"
+
+namespace fitroom {
+
+// Welds the closed seams and lets the garment come to rest on the body: first it relaxes without gravity, then gravity
+// acts (equations 5 and 10) until rest or the step limit. Leaves the positions, the outcome and what was measured in
+// `run`. Fails like ClothModel::Create(), and with INTERNAL where the state stops being finite.
+Status HangGarment(DrapeRun& run);
+
+}  // namespace fitroom
