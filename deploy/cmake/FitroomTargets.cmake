@@ -24,12 +24,26 @@ if(FITROOM_CCACHE)
   set(CMAKE_C_COMPILER_LAUNCHER ${FITROOM_CCACHE})
 endif()
 
+# The headers that take the longest to read, read once. Tests always do so. Rooms do so only in builds that have no
+# other purpose than to run the tests under a sanitizer: elsewhere a file that forgets an include must be found.
+set(fitroom_precompiled_headers <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <span>
+                                <string> <string_view> <vector> <Eigen/Core> <Eigen/Geometry>)
+if(FITROOM_PRECOMPILE)
+  file(WRITE ${PROJECT_BINARY_DIR}/precompiled.cc "")
+  add_library(fitroom_precompiled STATIC ${PROJECT_BINARY_DIR}/precompiled.cc)
+  target_link_libraries(fitroom_precompiled PRIVATE fitroom_flags Eigen3::Eigen)
+  target_precompile_headers(fitroom_precompiled PRIVATE ${fitroom_precompiled_headers})
+endif()
+
 # fitroom_add_library(NAME SOURCES a.cc b.cc PUBLIC libs PRIVATE libs)
 function(fitroom_add_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   if(arg_SOURCES)
     add_library(${name} STATIC ${arg_SOURCES})
     target_link_libraries(${name} PUBLIC fitroom_flags ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+    if(FITROOM_PRECOMPILE)
+      target_precompile_headers(${name} REUSE_FROM fitroom_precompiled)
+    endif()
   else()
     add_library(${name} INTERFACE)
     target_link_libraries(${name} INTERFACE fitroom_flags ${arg_PUBLIC})
