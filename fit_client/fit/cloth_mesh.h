@@ -22,7 +22,8 @@ struct NamedParticle {
 // A garment before it is worn: panels cut from the photographs, at rest, flat, with the pairs to be sewn.
 // The rest shape, immutable while dressing; one mesh serves many bodies. Triangles are counter-clockwise seen from the
 // outside of the garment (front: from +Z; back: from -Z).
-// Rest frame: metres, x towards the wearer's left, y up, origin at Cp (the midpoint of P1 and P2), z = 0.
+// Rest frame: metres, x towards the wearer's left, y up, z = 0; origin of tops and one-pieces at Cp (the midpoint of P1
+// and P2), of bottoms in the middle between the waist's ends e1 and e3.
 struct ClothMesh {
   std::vector<Eigen::Vector3d> rest_positions;
   std::vector<Eigen::Vector3i> triangles;
@@ -31,8 +32,8 @@ struct ClothMesh {
   std::vector<SeamPair> seams;
   std::vector<NamedParticle> named_particles;
   // How much a particle belongs to a sleeve: 0 on the torso, 1 on the sleeve, smooth across the armhole line (shoulder
-  // tip to underarm) over about 6 cm. For turning the sleeves about the shoulder in the start position. One a particle;
-  // both empty where nobody knows, as in panels read from a file.
+  // tip to underarm) over about 6 cm; 0 everywhere on a kind without sleeves. For turning the sleeves about the
+  // shoulder in the start position. One a particle; both empty where nobody knows, as in panels read from a file.
   std::vector<double> left_sleeve_weights;
   std::vector<double> right_sleeve_weights;
 };

@@ -1,28 +1,37 @@
 #pragma once
 
+#include <string_view>
+#include <vector>
+
+#include "common/garment/garment.h"
 #include "fit_client/fit/panels/pattern.h"
 
 namespace fitroom {
 
-// The flat measures of a garment, all in metres. Girths are twice the flat width, as a shop measures them; left and
-// right are averaged.
-struct GarmentMeasures {
-  double length = 0.0;            // Highest point of the shoulder straight down to the hem.
-  double bust_girth = 0.0;        // At the underarms.
-  double waist_girth = 0.0;       // At the waist points.
-  double hip_girth = 0.0;         // At the hip points.
-  double hem_girth = 0.0;         // Between the hem's corners.
-  double shoulder_width = 0.0;    // Between the shoulder tips e3 and e7.
-  double sleeve_length = 0.0;     // Along the top edge from the shoulder tip to the sleeve's end.
-  double upper_arm_girth = 0.0;   // Twice the shortest way from the underarm to the sleeve's top edge.
-  double side_seam_length = 0.0;  // Underarm to hem.
-  double neck_opening = 0.0;      // Front and back neckline together.
-};
+// Returns the garment's length (unit: metre), mean of front and back. Tops and one-pieces: from the highest point of
+// the shoulder straight down to the hem. Bottoms: from the waist's centre straight down to the level of the hem's
+// middle, of trousers the mean level of both legs' hem_mid. A shop measures a photograph the same way.
+double MeasureLength(const GarmentPattern& pattern);
 
-// Returns one panel's length, from its highest point straight down to the hem (unit: metre).
-double MeasureLength(const PanelPattern& panel);
+// Returns the same of one panel.
+double MeasureLength(const PanelPattern& panel, GarmentKind kind);
 
-// Measures a reconciled pattern of a top.
-GarmentMeasures MeasurePattern(const GarmentPattern& pattern);
+// Measures a reconciled pattern as it lies flat: the measures of MeasureNames(pattern.kind), in that order (unit:
+// metre). Widths are flat, half a girth, and left and right are averaged:
+//   shoulder_width  between the shoulder tips;           neck_width      between the neck's ends P1 and P2;
+//   chest_width     2.5 cm below the underarms;          sleeve_length   along the top edge from tip to sleeve end;
+//   waist_width,    from side seam to side seam at the   sleeve_opening  between the sleeve end's corners;
+//   hip_width       level of these points;               front_length,   length of that panel;
+//                                                        back_length
+//   hem_width       between the hem's corners, of trousers of one leg;
+//   thigh_width,    of one leg between outer and inner   inseam          along the seam from crotch to hem;
+//   knee_width      point;                               length          MeasureLength();
+//   front_rise,     waist's centre straight down to the crotch. Of provenance unknown: folding hides the curve that
+//   back_rise       a chart's rise follows.
+// All others are of provenance measured. A bottom's waist_width is the distance of the waist's ends.
+std::vector<GarmentMeasure> MeasurePattern(const GarmentPattern& pattern);
+
+// Returns the value of the measure of that name, or NaN where it is missing.
+double MeasureValue(const std::vector<GarmentMeasure>& measures, std::string_view name);
 
 }  // namespace fitroom

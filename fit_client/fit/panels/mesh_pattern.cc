@@ -38,15 +38,15 @@ std::vector<int> RowOrder(const std::vector<Eigen::Vector2d>& points, double pit
 }
 
 // Appends one panel to the cloth; returns the particle of each of its outline's samples.
-Result<std::vector<int>> AppendPanel(const PanelPattern& panel, const panels::OutlineSamples& outline, double pitch,
-                                     ClothMesh& mesh) {
+Result<std::vector<int>> AppendPanel(const PanelPattern& panel, GarmentKind kind, const panels::OutlineSamples& outline,
+                                     double pitch, ClothMesh& mesh) {
   FR_ASSIGN_OR_RETURN(const panels::PanelMesh flat, panels::MeshPanel(outline.points, pitch));
   const bool is_front = panel.side == GarmentSide::kFront;
   const int base = static_cast<int>(mesh.rest_positions.size());
   const std::vector<int> order = RowOrder(flat.points, pitch);
   std::vector<int> particle_of(flat.points.size());
   const PhotoWarp warp(panel);
-  const panels::SleeveWeight left_sleeve(panel, /*left=*/true), right_sleeve(panel, /*left=*/false);
+  const panels::SleeveWeight left_sleeve(panel, kind, /*left=*/true), right_sleeve(panel, kind, /*left=*/false);
   const Eigen::Array2d image_size(panel.image_width, panel.image_height);
   std::vector<Eigen::Vector2d> pixels = outline.pixels;
   for (size_t v = pixels.size(); v < flat.points.size(); ++v) pixels.push_back(warp.PixelAt(flat.points[v]));
@@ -84,12 +84,6 @@ Result<std::vector<int>> AppendPanel(const PanelPattern& panel, const panels::Ou
   return particle_of;
 }
 
-int OpeningCount(const GarmentPattern& pattern) {
-  return static_cast<int>(
-      std::count_if(pattern.front.sections.begin(), pattern.front.sections.end(),
-                    [](const OutlineSection& section) { return section.kind == SectionKind::kOpening; }));
-}
-
 }  // namespace
 
 Result<ClothMesh> MeshPattern(const GarmentPattern& pattern, double pitch) {
@@ -99,8 +93,10 @@ Result<ClothMesh> MeshPattern(const GarmentPattern& pattern, double pitch) {
   const panels::OutlineSamples front = panels::SampleOutline(pattern.front, pitch);
   const panels::OutlineSamples back = panels::SampleOutline(pattern.back, pitch);
   ClothMesh mesh;
-  FR_ASSIGN_OR_RETURN(const std::vector<int> front_particles, AppendPanel(pattern.front, front, pitch, mesh));
-  FR_ASSIGN_OR_RETURN(const std::vector<int> back_particles, AppendPanel(pattern.back, back, pitch, mesh));
+  FR_ASSIGN_OR_RETURN(const std::vector<int> front_particles,
+                      AppendPanel(pattern.front, pattern.kind, front, pitch, mesh));
+  FR_ASSIGN_OR_RETURN(const std::vector<int> back_particles,
+                      AppendPanel(pattern.back, pattern.kind, back, pitch, mesh));
 
   for (size_t s = 0; s < pattern.front.sections.size(); ++s) {
     if (pattern.front.sections[s].kind != SectionKind::kSeam) continue;
@@ -117,10 +113,11 @@ Result<ClothMesh> MeshPattern(const GarmentPattern& pattern, double pitch) {
                                [](const SeamPair& s, const SeamPair& t) { return s.a == t.a && s.b == t.b; }),
                    mesh.seams.end());
   const ClothTopology sewn = ComputeWeldedTopology(mesh);
-  if (!sewn.is_manifold || sewn.component_count != 1 || sewn.boundary_loop_count != OpeningCount(pattern)) {
+  if (!sewn.is_manifold || sewn.component_count != 1 || sewn.boundary_loop_count != OpeningCount(pattern.kind) ||
+      sewn.euler_characteristic() != ExpectedEulerCharacteristic(pattern.kind)) {
     return InvalidArgument("PITCH_TOO_COARSE", "at this pitch the sewn panels have " +
                                                    std::to_string(sewn.boundary_loop_count) + " openings instead of " +
-                                                   std::to_string(OpeningCount(pattern)) + "; use a finer pitch");
+                                                   std::to_string(OpeningCount(pattern.kind)) + "; use a finer pitch");
   }
   return mesh;
 }

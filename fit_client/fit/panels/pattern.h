@@ -21,7 +21,9 @@ struct SectionKnot {
 
 // A piece of a panel's outline between two corners, as a fine polyline in the garment and in the photograph.
 struct OutlineSection {
-  std::string name;  // "neck", "shoulder_L", "sleeve_end_L", "underside_L", "side_L", "hem", ...; _L, _R: the wearer's.
+  // "neck", "shoulder_L", "sleeve_end_L", "underside_L", "side_L", "armhole_L", "hem"; "waist"; "outseam_L",
+  // "leg_hem_L", "inseam_L" of trousers; _L, _R: the wearer's. Which a kind has, and in which order: OutlineLayout().
+  std::string name;
   SectionKind kind = SectionKind::kSeam;
   std::vector<Eigen::Vector2d> points;  // In the pattern's frame (unit: metre).
   std::vector<Eigen::Vector2d> pixels;  // Where the photograph shows each point (unit: pixel, centres at +0.5).
@@ -39,7 +41,8 @@ struct PanelPattern {
 
 // The one garment that both photographs show. Front and back have the same sections in the same order, and equal
 // points on every seam, so that seams have one length.
-// Frame: metres, x towards the wearer's left, y up, origin at Cp, the midpoint of P1 and P2.
+// Frame: metres, x towards the wearer's left, y up; origin of tops and one-pieces at Cp, the midpoint of P1 and P2, of
+// bottoms in the middle between the waist's ends e1 and e3.
 struct GarmentPattern {
   GarmentKind kind = GarmentKind::kTShirt;
   PanelPattern front;

@@ -97,13 +97,15 @@ void Smooth(const SectionLayout& section, const std::vector<int>& knots, Polylin
   points = panels::FitBezier(points, parameters, section.degree, held);
 }
 
-// A view's own section (neck, hem) between the corners that the shared sections gave it.
+// A view's own section (neck, waist, armhole, hem) between the corners that the shared sections gave it. `mirror` is
+// the section on the view's other side; its own for a section across the middle.
 Polyline OwnSection(const SectionLayout& section, const std::vector<int>& knots, const Polyline& seen,
-                    const Eigen::Vector2d& first, const Eigen::Vector2d& last, bool asymmetric) {
-  Polyline points = asymmetric ? seen : Mean(seen, panels::Mirrored(seen));
+                    const Polyline& mirror, const Eigen::Vector2d& first, const Eigen::Vector2d& last,
+                    bool asymmetric) {
+  Polyline points = asymmetric ? seen : Mean(seen, panels::Mirrored(mirror));
   panels::MoveEnds(points, first, last);
   Smooth(section, knots, points);
-  return asymmetric ? points : Mean(points, panels::Mirrored(points));
+  return points;
 }
 
 // Gives both panels the mean hem where they differ little: one photograph's hem hangs where the other's is pushed up,
@@ -123,9 +125,15 @@ void ShareHem(size_t hem, GarmentPattern& pattern) {
   back = front;
 }
 
-// Makes a neck shallow: half an ellipse between its ends.
-void MakeShallow(Polyline& neck, int drop_index) {
+// Makes a back of a front's upper edge: a neck becomes shallow, half an ellipse between its ends; of a waist's dip a
+// share remains.
+void MakeShallow(GarmentKind kind, const std::vector<int>& knots, Polyline& neck) {
   const Eigen::Vector2d middle = 0.5 * (neck.front() + neck.back());
+  if (IsBottom(kind)) {
+    for (Eigen::Vector2d& p : neck) p.y() = middle.y() + kShallowNeckShare * (p.y() - middle.y());
+    return;
+  }
+  const int drop_index = knots[knots.size() / 2];
   const Eigen::Vector2d half = neck.front() - middle;
   const double depth = middle.y() - neck[static_cast<size_t>(drop_index)].y();
   const Eigen::Vector2d drop(0.0, -std::min(kShallowNeckShare * depth, kShallowNeckMax));
@@ -149,9 +157,9 @@ PanelPattern MakePanel(const std::vector<SectionLayout>& layout, const KnotIndic
   return panel;
 }
 
-// Moves Cp to the origin and scales the whole to the garment's length.
+// Moves the middle of the neck's or waist's ends to the origin and scales the whole to the garment's length.
 Status Normalise(double length, GarmentPattern& pattern) {
-  const double drawn_length = 0.5 * (MeasureLength(pattern.front) + MeasureLength(pattern.back));
+  const double drawn_length = MeasureLength(pattern);
   const double scale = length / drawn_length;
   if (!(std::abs(scale - 1.0) < kMaxScaleError)) {
     return InvalidArgument("SCALE_CONTRADICTS_LENGTH",
@@ -159,10 +167,11 @@ Status Normalise(double length, GarmentPattern& pattern) {
                                " cm long, but its length is given as " + std::to_string(length * 100.0) +
                                " cm; check the length and the points on hem and shoulders");
   }
-  const Eigen::Vector2d cp = 0.5 * (*FindPatternPoint(pattern.front, "P1") + *FindPatternPoint(pattern.front, "P2"));
+  const OutlineSection& upper_opening = pattern.front.sections.front();
+  const Eigen::Vector2d origin = 0.5 * (upper_opening.points.front() + upper_opening.points.back());
   for (PanelPattern* panel : {&pattern.front, &pattern.back}) {
     for (OutlineSection& section : panel->sections) {
-      for (Eigen::Vector2d& p : section.points) p = scale * (p - cp);
+      for (Eigen::Vector2d& p : section.points) p = scale * (p - origin);
     }
   }
   return Status();
@@ -185,10 +194,6 @@ Status CheckOpenings(const PanelPattern& panel) {
 
 Result<GarmentPattern> ReconcileViews(const Garment& garment) {
   const std::vector<SectionLayout>& layout = panels::OutlineLayout(garment.kind);
-  if (layout.empty()) {
-    return InvalidArgument("KIND_NOT_SUPPORTED", "a " + std::string(GarmentKindName(garment.kind)) +
-                                                     " cannot be cut from photographs yet; use a T-shirt");
-  }
   FR_ASSIGN_OR_RETURN(const ViewOutline front_outline,
                       panels::SplitOutline(garment.front, garment.kind, garment.length));
   FR_ASSIGN_OR_RETURN(const ViewOutline back_outline,
@@ -203,7 +208,7 @@ Result<GarmentPattern> ReconcileViews(const Garment& garment) {
   pattern.asymmetric_by_design = IsAsymmetric(layout, {&front, &back});
   const bool asymmetric = pattern.asymmetric_by_design;
   std::vector<Polyline> shared = AverageShared(layout, front, back, asymmetric);
-  panels::KeepSleeveLengths(layout, knots, {&front, &back}, asymmetric, shared);
+  if (HasSleeves(garment.kind)) panels::KeepSleeveLengths(layout, knots, {&front, &back}, asymmetric, shared);
   for (size_t s = 0; s < layout.size(); ++s) {
     if (layout[s].own_per_panel) continue;
     Smooth(layout[s], knots[s], shared[s]);
@@ -218,8 +223,15 @@ Result<GarmentPattern> ReconcileViews(const Garment& garment) {
       if (!layout[s].own_per_panel) continue;
       const Eigen::Vector2d& first = shared[(s + layout.size() - 1) % layout.size()].back();
       const Eigen::Vector2d& last = shared[(s + 1) % layout.size()].front();
-      sections[s] = OwnSection(layout[s], knots[s], samples->points[s], first, last, asymmetric);
-      if (s == 0 && samples == &back && !garment.back) MakeShallow(sections[s], knots[s][1]);
+      const size_t mirror = static_cast<size_t>(layout[s].mirror);
+      if (!asymmetric && mirror < s) {
+        sections[s] = panels::Mirrored(sections[mirror]);
+        continue;
+      }
+      sections[s] =
+          OwnSection(layout[s], knots[s], samples->points[s], samples->points[mirror], first, last, asymmetric);
+      if (!asymmetric && mirror == s) sections[s] = Mean(sections[s], panels::Mirrored(sections[s]));
+      if (s == 0 && samples == &back && !garment.back) MakeShallow(garment.kind, knots[s], sections[s]);
     }
     *panel = MakePanel(layout, knots, *outline, *samples, sections);
   }

@@ -34,8 +34,8 @@ SleeveSections FindSleeve(const std::vector<SectionLayout>& layout, bool left) {
     if (layout[s].name == "sleeve_end" + side) found.end = s;
     if (layout[s].name == "underside" + side) found.underside = s;
   }
-  const std::vector<std::string>& knots = layout[found.shoulder].knots;
-  while (knots[found.tip_knot] != (left ? "e3" : "e7")) ++found.tip_knot;
+  FR_CHECK(layout[found.shoulder].held_knot >= 0);
+  found.tip_knot = static_cast<size_t>(layout[found.shoulder].held_knot);  // The shoulder bends at its tip.
   return found;
 }
 

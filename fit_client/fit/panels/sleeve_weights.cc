@@ -1,8 +1,10 @@
 #include "fit_client/fit/panels/sleeve_weights.h"
 
 #include <algorithm>
+#include <string>
 
 #include "common/base/check.h"
+#include "fit_client/fit/panels/outline_layout.h"
 
 namespace fitroom::panels {
 namespace {
@@ -11,8 +13,9 @@ constexpr double kBlendWidth = 0.06;  // (unit: metre)
 
 }  // namespace
 
-SleeveWeight::SleeveWeight(const PanelPattern& panel, bool left) {
-  const char* tip_name = left ? "e3" : "e7";
+SleeveWeight::SleeveWeight(const PanelPattern& panel, GarmentKind kind, bool left) {
+  if (!HasSleeves(kind)) return;
+  const std::string tip_name = ShoulderTipName(kind, left);
   const Eigen::Vector2d* tip = FindPatternPoint(panel, tip_name);
   const Eigen::Vector2d* underarm = FindPatternPoint(panel, left ? "underarm_L" : "underarm_R");
   const OutlineSection* shoulder = FindSection(panel, left ? "shoulder_L" : "shoulder_R");
@@ -39,6 +42,7 @@ SleeveWeight::SleeveWeight(const PanelPattern& panel, bool left) {
 }
 
 double SleeveWeight::At(const Eigen::Vector2d& point) const {
+  if (sleeve_.empty()) return 0.0;
   const double distance = DistanceToSegment(point, shoulder_tip_, underarm_);
   // The outline itself may lie a rounding error outside the sleeve: only near the armhole does the sign matter there.
   const double inside = PolygonContains(sleeve_, point) || DistanceToChain(point, sleeve_) < 1e-6 ? 1.0 : -1.0;

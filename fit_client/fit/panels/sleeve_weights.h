@@ -11,7 +11,8 @@ namespace fitroom::panels {
 // line, which runs straight from the shoulder tip to the underarm.
 class SleeveWeight {
  public:
-  SleeveWeight(const PanelPattern& panel, bool left);
+  // A kind without sleeves weighs 0 everywhere.
+  SleeveWeight(const PanelPattern& panel, GarmentKind kind, bool left);
 
   // Returns 0 to 1; 0.5 on the armhole line, 0 and 1 from 3 cm beyond it.
   double At(const Eigen::Vector2d& point) const;

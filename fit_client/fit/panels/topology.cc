@@ -98,4 +98,11 @@ ClothTopology ComputeWeldedTopology(const ClothMesh& mesh) {
 
 int ComputeEulerCharacteristic(const ClothMesh& mesh) { return ComputeWeldedTopology(mesh).euler_characteristic(); }
 
+int OpeningCount(GarmentKind kind) {
+  if (kind == GarmentKind::kSkirt) return 2;
+  return HasLegs(kind) ? 3 : 4;
+}
+
+int ExpectedEulerCharacteristic(GarmentKind kind) { return 2 - OpeningCount(kind); }
+
 }  // namespace fitroom

@@ -13,10 +13,10 @@ namespace fitroom::panels {
 namespace {
 
 constexpr size_t kMaxOutlinePoints = 1'000'000;
-// How far a point may lie from the outline and be moved onto it, and how far inside it the neck drop may lie and still
-// count as on it (share of the garment's length).
+// How far a point may lie from the outline and be moved onto it, and how far inside it the middle of the neck or waist
+// may lie and still count as on it (share of the garment's length).
 constexpr double kMaxPointOffset = 0.04;
-constexpr double kNeckOnOutline = 0.012;
+constexpr double kMiddleOnOutline = 0.012;
 // How far two neighbouring points may stand in the wrong order and be taken as one place (share of the length): a hand
 // that clicks P2 and e1 does that.
 constexpr double kOrderSlack = 0.02;
@@ -57,8 +57,8 @@ Status CheckView(const GarmentView& view, double length) {
   if (!(view.metre_per_pixel > 1e-6 && view.metre_per_pixel < 0.1)) {
     return InvalidArgument("BAD_SCALE", place + " view: metre_per_pixel is missing or absurd; give the length");
   }
-  if (!(length > 0.2 && length < 2.0)) {
-    return InvalidArgument("BAD_SCALE", "the garment's length must lie between 0.2 and 2 m");
+  if (!(length > 0.15 && length < 2.0)) {
+    return InvalidArgument("BAD_SCALE", "the garment's length must lie between 0.15 and 2 m");
   }
   return Status();
 }
@@ -123,6 +123,21 @@ std::vector<Polyline> NeckEllipse(const Eigen::Vector2d& from, const Eigen::Vect
   return halves;
 }
 
+// The front edge of a neck or waist of which the outline shows the back edge: half an ellipse through a neck's drop,
+// straight from point to point along a waist.
+std::vector<Polyline> BridgeOpening(const GarmentView& view, const SectionLayout& section, const Eigen::Vector2d& from,
+                                    const Eigen::Vector2d& to) {
+  if (section.name == "neck") return NeckEllipse(from, FindPoint(view, "neck_drop")->pixel, to);
+  std::vector<Polyline> chains;
+  Eigen::Vector2d before = from;
+  for (size_t k = 1; k < section.knots.size(); ++k) {
+    const Eigen::Vector2d after = k + 1 == section.knots.size() ? to : FindPoint(view, section.knots[k])->pixel;
+    chains.push_back({before, after});
+    before = after;
+  }
+  return chains;
+}
+
 Status OutOfOrder(const GarmentView& view, const std::string& before, const std::string& after) {
   return InvalidArgument("POINTS_OUT_OF_ORDER",
                          std::string(SideName(view.side)) + " view: " + after + " does not follow " + before +
@@ -143,7 +158,9 @@ Result<PositionsByName> LocatePoints(const GarmentView& view, const std::vector<
                                                     " is missing; give it in an annotation");
       }
       positions[name] = NearestPosition(outline, point->pixel);
-      if (name != "neck_drop" && positions[name].distance > kMaxPointOffset * length_in_pixels) {
+      const bool may_lie_inside =
+          &section == &layout[0] && name != section.knots.front() && name != section.knots.back();
+      if (!may_lie_inside && positions[name].distance > kMaxPointOffset * length_in_pixels) {
         return InvalidArgument("POINT_OFF_OUTLINE", std::string(SideName(view.side)) + " view: point " + name +
                                                         " lies off the outline; move it onto the garment's edge");
       }
@@ -167,7 +184,8 @@ Result<ViewOutline> SplitOutline(const GarmentView& view, GarmentKind kind, doub
   }
 
   FR_ASSIGN_OR_RETURN(PositionsByName positions, LocatePoints(view, layout, outline, length_in_pixels));
-  const bool neck_inside = positions["neck_drop"].distance > kNeckOnOutline * length_in_pixels;
+  const std::string& middle = layout[0].knots[layout[0].knots.size() / 2];
+  const bool inside = positions[middle].distance > kMiddleOnOutline * length_in_pixels;
 
   ViewOutline split{view.side, view.image_width, view.image_height, view.metre_per_pixel, {}};
   const double perimeter = outline.perimeter();
@@ -176,7 +194,7 @@ Result<ViewOutline> SplitOutline(const GarmentView& view, GarmentKind kind, doub
   for (size_t s = 0; s < layout.size(); ++s) {
     const std::vector<std::string>& knots = layout[s].knots;
     std::vector<Polyline> chains;
-    const bool bridged = s == 0 && neck_inside;
+    const bool bridged = s == 0 && inside;
     const double section_start = arc;
     for (size_t k = bridged ? knots.size() - 1 : 1; k < knots.size(); ++k) {
       const std::string& before = knots[bridged ? 0 : k - 1];
@@ -191,7 +209,7 @@ Result<ViewOutline> SplitOutline(const GarmentView& view, GarmentKind kind, doub
     }
     if (bridged) {
       const Polyline back_edge = CutChain(outline, section_start, arc);
-      chains = NeckEllipse(back_edge.front(), FindPoint(view, "neck_drop")->pixel, back_edge.back());
+      chains = BridgeOpening(view, layout[0], back_edge.front(), back_edge.back());
     }
     split.chains.push_back(std::move(chains));
   }
