@@ -30,6 +30,11 @@ std::optional<GarmentKind> GarmentKindFromName(std::string_view name) {
   return std::nullopt;
 }
 
+std::string_view GarmentSideName(GarmentSide side) {
+  constexpr std::array<std::string_view, kGarmentSideCount> kNames = {"front", "back", "side_folded"};
+  return kNames[static_cast<size_t>(side)];
+}
+
 std::string_view ProvenanceName(Provenance provenance) { return kProvenanceNames[static_cast<size_t>(provenance)]; }
 
 std::optional<Provenance> ProvenanceFromName(std::string_view name) {

@@ -27,7 +27,12 @@ constexpr bool HasSleeves(GarmentKind kind) {
 std::string_view GarmentKindName(GarmentKind kind);
 std::optional<GarmentKind> GarmentKindFromName(std::string_view name);
 
-enum class GarmentSide { kFront, kBack };
+// Which photograph. kSideFolded: of a bottom with legs, one leg laid over the other, so that the crotch curve lies
+// flat.
+enum class GarmentSide { kFront, kBack, kSideFolded };
+inline constexpr int kGarmentSideCount = 3;
+// Returns "front", "back", "side_folded".
+std::string_view GarmentSideName(GarmentSide side);
 
 // One of the 22 points on the outline. Pixels: origin top left of the image, pixel centre at +0.5.
 struct OutlinePoint {
@@ -52,7 +57,7 @@ struct GarmentView {
   // Closed simple polygon, clockwise on the screen, first point not repeated (unit: pixel). On a front view it runs
   // along the front neckline: the inside of the back neck that shows above it is not part of the front.
   std::vector<Eigen::Vector2d> outline;
-  std::vector<OutlinePoint> points;  // The 22 of the kind, in the order of OutlinePointNames().
+  std::vector<OutlinePoint> points;  // In the order of OutlinePointNames(), side-folded of SideFoldedPointNames().
 };
 
 // How a measure is known. A verdict is refused where a deciding one is unknown.
@@ -69,8 +74,10 @@ std::optional<Provenance> ProvenanceFromName(std::string_view name);
 // flat: half a girth.
 struct GarmentMeasure {
   std::string name;    // See MeasureNames().
-  double value = 0.0;  // (unit: metre)
+  double value = 0.0;  // (unit: metre); 0 where unknown.
   Provenance provenance = Provenance::kMeasured;
+
+  friend bool operator==(const GarmentMeasure&, const GarmentMeasure&) = default;
 };
 
 // One size of a chart: flat measures of the garment, and the body girths that the shop cuts it for.
@@ -78,12 +85,16 @@ struct GarmentSize {
   std::string name;                      // For example "M" or "38"; 1 to 16 bytes.
   std::vector<GarmentMeasure> measures;  // Of the flat garment (unit: metre).
   std::vector<GarmentMeasure> body;      // "bust", "waist", "hip": girths, full circle (unit: metre). May be empty.
+
+  friend bool operator==(const GarmentSize&, const GarmentSize&) = default;
 };
 
 // All sizes of a garment, the smallest first.
 struct SizeChart {
   std::vector<GarmentSize> sizes;
   std::string photographed_size;  // Which of them the photographs show.
+
+  friend bool operator==(const SizeChart&, const SizeChart&) = default;
 };
 
 // A garment as published: what the fit needs to know and no more.
@@ -98,7 +109,7 @@ struct Garment {
   std::string fabric = "jersey";  // A preset of the fit: "jersey", "woven", "denim" or "stretch".
   SizeChart chart;                // Empty: only the photographed size exists.
   // Bottoms with legs: photographed with one leg laid over the other, so that the crotch curve, which folding hides in
-  // the other photographs, lies flat. Points: see SideFoldedPointNames().
+  // the other photographs, lies flat. Its side is kSideFolded. Points: see SideFoldedPointNames().
   std::optional<GarmentView> side_folded;
 };
 

@@ -16,13 +16,14 @@ std::string GarmentToJson(const Garment& garment);
 // else the reasons of ValidateGarment(). Text above 4 MB: RESOURCE_EXHAUSTED GARMENT_JSON_TOO_LARGE.
 Result<Garment> GarmentFromJson(std::string_view text);
 
-// Points given by hand, of one photograph or of both, to be used instead of detected ones:
-//   {"front": {"P1": [x, y], …}, "back": {…}}   (unit: pixel of the photograph, upright)
+// Points given by hand, of one photograph or of more, to be used instead of detected ones:
+//   {"front": {"P1": [x, y], …}, "back": {…}, "side_folded": {…}}   (unit: pixel of the photograph, upright)
 // A value may also be {"pixel": [x, y], "confidence": c}. Order and sides are checked by ValidatePoints() later, once
 // the image is known.
 struct PointAnnotation {
   std::vector<OutlinePoint> front;
-  std::vector<OutlinePoint> back;  // Empty where the document has none.
+  std::vector<OutlinePoint> back;         // Empty where the document has none.
+  std::vector<OutlinePoint> side_folded;  // Empty where the document has none.
 };
 
 Result<PointAnnotation> PointAnnotationFromJson(std::string_view text, GarmentKind kind);
