@@ -140,6 +140,7 @@ void MoveLeg(const PanelPattern& front, const Increments& add, bool left, GradeM
     moves.shared[outer] = base + 0.5 * increment * across;
     moves.shared[inner] = base - 0.5 * increment * across;
   };
+  widen("thigh_outer" + end, "thigh_inner" + end, Of(add, "thigh_width"));
   widen("knee_outer" + end, "knee_inner" + end, Of(add, "knee_width"));
   widen(left ? "e2" : "e4", "hem_inner" + end, Of(add, "hem_width"));
 }

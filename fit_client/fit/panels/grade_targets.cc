@@ -145,10 +145,11 @@ Result<GradeTargets> FindGradeTargets(GarmentKind kind, const MeasureMap& photog
     if (from_value <= 0.0 || to_value <= 0.0) continue;
     const double disagreement = from_value / measured;
     if (!(disagreement < kMostDisagreement && disagreement > 1.0 / kMostDisagreement)) {
-      return InvalidArgument("CHART_CONTRADICTS_PHOTOGRAPHS",
-                             "size " + from.name + " is said to have a " + name + " of " + Centimetres(from_value) +
-                                 ", but its photographs show " + Centimetres(measured) +
-                                 "; give flat measures of the garment, and name the photographed size");
+      return InvalidArgument(
+          "CHART_CONTRADICTS_PHOTOGRAPHS",
+          "size " + from.name + " is said to have a " + name + " of " + Centimetres(from_value) +
+              ", but its photographs show " + Centimetres(measured) +
+              "; give flat measures of the garment in the size chart, and name the photographed size");
     }
     const bool same = std::abs(measured - from_value) <= kSameMeasure * from_value;
     const double target = same ? measured + (to_value - from_value) : measured * (to_value / from_value);
@@ -160,7 +161,8 @@ Result<GradeTargets> FindGradeTargets(GarmentKind kind, const MeasureMap& photog
   if (given.empty()) {
     return InvalidArgument("CHART_WITHOUT_COMMON_MEASURES",
                            "sizes " + from.name + " and " + to.name + " state no measure of a " +
-                               std::string(GarmentKindName(kind)) + " that both have; add flat measures to both");
+                               std::string(GarmentKindName(kind)) +
+                               " that both have; add flat measures to both in the size chart");
   }
   for (const auto& [name, measured] : photographed) {
     if (result.targets.contains(name)) continue;
