@@ -122,6 +122,25 @@ ClothState ClothSolver::MakeState(std::span<const Eigen::Vector3d> positions) co
   return state;
 }
 
+void ClothSolver::Attach(ClothState& state, std::span<const Attachment> attachments) {
+  const std::span<const double> masses = model_.masses();
+  for (size_t particle = 0; particle < masses.size(); ++particle) {
+    inverse_masses_[particle] = static_cast<float>(1.0 / masses[particle]);
+  }
+  state.targets.assign(attachments.empty() ? 0 : state.positions.size(), Float4());
+  for (const Attachment& attachment : attachments) {
+    const size_t particle = static_cast<size_t>(attachment.particle);
+    FR_CHECK(particle < masses.size());
+    inverse_masses_[particle] = 0.0F;
+    state.targets[particle] = ToFloat4(attachment.target - state.centre, 1.0F);
+    state.velocities[particle] = Float4();
+  }
+  for (size_t particle = 0; particle < masses.size(); ++particle) {
+    state.positions[particle].w = inverse_masses_[particle];
+  }
+  SetMotion(motion_);
+}
+
 void ClothSolver::SetMotion(const MotionOptions& motion) {
   motion_ = motion;
   denominators_.clear();
@@ -144,7 +163,15 @@ ClothSolver::Denominators ClothSolver::MakeDenominators(const ClothChunk& chunk)
     denominators.stretch.push_back(lanes);
   }
   for (const BendConstraint& bend : chunk.bend) {
-    const float scale = 1.0F / (bend.weight + bend.compliance * per_squared_step);
+    bool is_free = true;
+    float held_weight = 0.0F;  // sum_i c_i^2 / m_i where some masses are infinite.
+    for (size_t corner = 0; corner < 4; ++corner) {
+      const float inverse_mass = inverse_masses_[static_cast<size_t>(bend.particles[corner])];
+      is_free = is_free && inverse_mass > 0.0F;
+      held_weight += bend.coefficients[corner] * bend.coefficients[corner] * inverse_mass;
+    }
+    const float weight = is_free ? bend.weight : held_weight;
+    const float scale = 1.0F / (weight + bend.compliance * per_squared_step);
     const auto move = [&](size_t corner) {
       return bend.coefficients[corner] * inverse_masses_[static_cast<size_t>(bend.particles[corner])] * scale;
     };
@@ -178,7 +205,17 @@ void ClothSolver::Integrate(ClothState& state, const ClothChunk& chunk) const {
   const float largest = static_cast<float>(motion_.largest_step);
   const size_t begin = static_cast<size_t>(chunk.first_particle);
   const size_t end = begin + static_cast<size_t>(chunk.particle_count);
+  const float attached_way = static_cast<float>(motion_.attachment_speed * motion_.time_step);
   for (size_t particle = begin; particle < end; ++particle) {
+    if (!state.targets.empty() && state.targets[particle].w > 0.0F) {
+      const __m128 place = Load(state.positions[particle]);
+      const __m128 left = Xyz(_mm_sub_ps(Load(state.targets[particle]), place));
+      const float length = std::sqrt(Dot3(left, left));
+      const float part = length > attached_way ? attached_way / length : 1.0F;
+      Store(state.previous[particle], place);
+      Store(state.positions[particle], _mm_add_ps(place, _mm_mul_ps(left, _mm_set1_ps(part))));
+      continue;
+    }
     __m128 velocity = _mm_add_ps(_mm_mul_ps(Load(state.velocities[particle]), keep), Load(fall));
     if (!state.wind.empty()) velocity = _mm_add_ps(velocity, _mm_mul_ps(Load(state.wind[particle]), gain));
     __m128 way = _mm_mul_ps(Xyz(velocity), _mm_set1_ps(step));
@@ -211,7 +248,7 @@ void ClothSolver::SolvePulls(ClothState& state, std::span<const SeamPull> pulls,
     const __m128 at_b = Load(b);
     const __m128 way = Xyz(_mm_sub_ps(at_b, at_a));
     const float length = std::sqrt(Dot3(way, way));
-    if (length < 1e-9F) continue;
+    if (length < 1e-9F || a.w + b.w <= 0.0F) continue;
     const float step = std::min(length, largest) / length;
     const float share = a.w / (a.w + b.w);
     __m128 step_a = _mm_mul_ps(way, _mm_set1_ps(step * share));
@@ -256,6 +293,7 @@ void ClothSolver::SolveContacts(ClothState& state, const ClothChunk& chunk) cons
   const size_t begin = static_cast<size_t>(chunk.first_particle);
   const size_t end = begin + static_cast<size_t>(chunk.particle_count);
   for (size_t particle = begin; particle < end; ++particle) {
+    if (!state.targets.empty() && state.targets[particle].w > 0.0F) continue;  // Attached: the body does not move it.
     __m128 position = Load(state.positions[particle]);
     const __m128 moved = _mm_sub_ps(position, Load(state.contacts[particle].reference));
     if (Dot3(moved, moved) > state.contacts[particle].reference.w) LookAtBody(state, particle);

@@ -30,12 +30,19 @@ struct MotionOptions {
   double contact_offset = 0.0035;                          // Particles stay this far outside the body (unit: metre).
   double largest_step = 0.002;                             // A particle moves no further in a step (unit: metre).
   double compression_factor = 1.0;  // Stiffness of a shortened spring over that of a stretched one.
+  double attachment_speed = 0.6;    // At which attached particles walk to their targets (unit: m/s).
 };
 
 // The place in contact with a particle as of its last look at the distance field: signed distance = n . x - offset.
 struct ContactPlane {
   Float4 normal;     // w: offset (unit: metre).
   Float4 reference;  // Where the field was looked at; w: squared way after which to look again (unit: m^2).
+};
+
+// A particle that nothing moves but its way to a target, where it stays: the belt's hold on a waist.
+struct Attachment {
+  int particle = 0;
+  Eigen::Vector3d target = Eigen::Vector3d::Zero();  // In the caller's frame (unit: metre).
 };
 
 // Positions and velocities of one cloth in motion, in single precision about a centre: the state of ClothSolver.
@@ -48,6 +55,7 @@ struct ClothState {
   std::vector<Float4> wind;                          // Velocity that drag pulls towards (unit: m/s); empty: still air.
   std::vector<ContactPlane> contacts;
   std::vector<float> extra_offset;  // Added to the contact offset (unit: metre).
+  std::vector<Float4> targets;      // Where attached particles go; w is 1 for those. Empty: nothing is attached.
 };
 
 // Two particles that are being drawn together.
@@ -74,6 +82,9 @@ class ClothSolver {
   ClothState MakeState(std::span<const Eigen::Vector3d> positions) const;
   // Sets the motion for the substeps that follow.
   void SetMotion(const MotionOptions& motion);
+  // Attaches particles, in place of all earlier attachments: they get an infinite mass, walk straight to their targets
+  // without regard to contact, and stay there.
+  void Attach(ClothState& state, std::span<const Attachment> attachments);
   // Advances by `substep_count` steps. `pulls` draw pairs together by at most `closing_speed` (unit: m/s).
   void Advance(ClothState& state, int substep_count, std::span<const SeamPull> pulls, double closing_speed);
   // Looks at edge middles and triangle centres near the body and raises the contact offset of the particles round those

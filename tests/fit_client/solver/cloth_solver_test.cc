@@ -195,6 +195,42 @@ TEST(ClothSolver, SeamPullsAreEqualAndOppositeAndCapped) {
   EXPECT_NEAR((scene.Centre() - before).norm(), 0.0, 1e-7);
 }
 
+// Attached particles go where they are told, at their own speed, and hold what hangs on them: the strip's upper edge is
+// carried 10 cm up; the rest follows and the edge stays to the micrometre.
+TEST(ClothSolver, AttachedParticlesWalkToTheirTargetsAndHoldTheCloth) {
+  const ClothMesh strip = testing::MakeSheet(0.1, 0.2, 5, 10);
+  Scene scene(strip, {}, testing::MakeFarBody());
+  std::vector<Attachment> attachments;
+  for (int column = 0; column <= 5; ++column) {
+    const int vertex = 10 * 6 + column;
+    attachments.push_back({static_cast<int>(scene.Particle(vertex)),
+                           strip.rest_positions[static_cast<size_t>(vertex)] + Eigen::Vector3d(0.0, 0.1, 0.0)});
+  }
+  MotionOptions motion = FreeMotion(4e-4);
+  motion.drag = 20.0;
+  motion.attachment_speed = 0.5;
+  scene.solver.SetMotion(motion);
+  scene.solver.Attach(scene.state, attachments);
+  scene.solver.Advance(scene.state, 250, {}, 0.0);  // 0.1 s at 0.5 m/s: half of the way.
+  EXPECT_NEAR(scene.At(10 * 6).y(), 0.25, 1e-4);
+  scene.solver.Advance(scene.state, 4750, {}, 0.0);
+  for (int column = 0; column <= 5; ++column) EXPECT_NEAR(scene.At(10 * 6 + column).y(), 0.3, 1e-6);
+  EXPECT_NEAR(scene.At(2).y(), 0.1, 0.002);  // Hangs below, stretched by no more than its weight.
+}
+
+// Equation (8): antigravity takes the weight away, so that a free cloth stays where it is.
+TEST(ClothSolver, AFreeClothKeepsStillUnderAntigravity) {
+  const ClothMesh sheet = testing::MakeSheet(0.1, 0.1, 5, 5);
+  Scene scene(sheet, {}, testing::MakeFarBody());
+  MotionOptions motion = FreeMotion(4e-4);
+  motion.gravity += Eigen::Vector3d(0.0, 9.81, 0.0);
+  scene.solver.SetMotion(motion);
+  scene.solver.Advance(scene.state, 1000, {}, 0.0);
+  for (int vertex = 0; vertex < 36; ++vertex) {
+    EXPECT_LT((scene.At(vertex) - sheet.rest_positions[static_cast<size_t>(vertex)]).norm(), 1e-6);
+  }
+}
+
 TEST(ClothSolver, EveryThreadCountGivesTheSameBits) {
   const ClothMesh tube = testing::MakeTube(0.5, 0.5, 50, 50, 0.02);
   const ClothModel model = ClothModel::Create(tube, {}, tube.seams).value();
