@@ -124,9 +124,11 @@ double MeasureLength(const PanelPattern& panel, GarmentKind kind) {
     const double hem = HasLegs(kind) ? MeanLevel(panel, "hem_mid") : PointOf(panel, "hem_centre").y();
     return PointOf(panel, "waist_centre").y() - hem;
   }
-  const std::vector<Eigen::Vector2d> outline = JoinedPoints(panel);
   const auto lower = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.y() < b.y(); };
-  const Eigen::Vector2d top = *std::max_element(outline.begin(), outline.end(), lower);
+  const std::vector<Eigen::Vector2d>& left = SectionOf(panel, "shoulder_L").points;
+  const std::vector<Eigen::Vector2d>& right = SectionOf(panel, "shoulder_R").points;
+  const Eigen::Vector2d top = std::max(*std::max_element(left.begin(), left.end(), lower),
+                                       *std::max_element(right.begin(), right.end(), lower), lower);
   const std::vector<Eigen::Vector2d>& hem = SectionOf(panel, "hem").points;
   std::vector<double> across;
   for (const Eigen::Vector2d& p : hem) across.push_back(across.empty() ? p.x() : std::max(p.x(), across.back()));

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "fit_client/fit/panels/leg_angles.h"
 #include "fit_client/fit/panels/measure.h"
 #include "fit_client/fit/panels/outline_layout.h"
 #include "fit_client/fit/panels/polyline.h"
@@ -200,8 +201,9 @@ Result<GarmentPattern> ReconcileViews(const Garment& garment) {
                       panels::SplitOutline(garment.back ? *garment.back : AsBack(garment.kind, garment.front),
                                            garment.kind, garment.length));
   const KnotIndices knots = panels::ChooseKnotIndices(layout, {&front_outline, &back_outline});
-  const ViewSamples front = panels::SampleUpright(layout, knots, front_outline, garment.length);
-  const ViewSamples back = panels::SampleUpright(layout, knots, back_outline, garment.length);
+  ViewSamples front = panels::SampleUpright(layout, knots, front_outline, garment.length);
+  ViewSamples back = panels::SampleUpright(layout, knots, back_outline, garment.length);
+  if (HasLegs(garment.kind)) panels::TurnLegsAlike(layout, knots, {&front, &back});
 
   GarmentPattern pattern;
   pattern.kind = garment.kind;
@@ -215,6 +217,7 @@ Result<GarmentPattern> ReconcileViews(const Garment& garment) {
     const size_t mirror = static_cast<size_t>(layout[s].mirror);
     if (!asymmetric && mirror < s) shared[s] = panels::Mirrored(shared[mirror]);
   }
+  if (HasLegs(garment.kind)) panels::PartInseams(layout, shared);
 
   for (auto [samples, outline, panel] :
        {std::tuple(&front, &front_outline, &pattern.front), std::tuple(&back, &back_outline, &pattern.back)}) {

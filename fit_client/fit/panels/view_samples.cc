@@ -102,10 +102,17 @@ ViewSamples SampleUpright(const std::vector<SectionLayout>& layout, const KnotIn
   Eigen::Matrix2d upright_from_photo;
   upright_from_photo << left.x(), left.y(), -left.y(), left.x();
   upright_from_photo *= view.metre_per_pixel;
+  for (Polyline& points : samples.points) {
+    for (Eigen::Vector2d& p : points) p = upright_from_photo * p;
+  }
+  CentreOnSeams(layout, samples);
+  return samples;
+}
+
+void CentreOnSeams(const std::vector<SectionLayout>& layout, ViewSamples& samples) {
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();
   double count = 0.0;
   for (size_t s = 0; s < layout.size(); ++s) {
-    for (Eigen::Vector2d& p : samples.points[s]) p = upright_from_photo * p;
     if (layout[s].own_per_panel) continue;
     for (const Eigen::Vector2d& p : samples.points[s]) centre += p;
     count += static_cast<double>(samples.points[s].size());
@@ -114,7 +121,6 @@ ViewSamples SampleUpright(const std::vector<SectionLayout>& layout, const KnotIn
   for (Polyline& points : samples.points) {
     for (Eigen::Vector2d& p : points) p -= centre;
   }
-  return samples;
 }
 
 Polyline Mirrored(const Polyline& points) {

@@ -27,6 +27,9 @@ KnotIndices ChooseKnotIndices(const std::vector<SectionLayout>& layout, const st
 ViewSamples SampleUpright(const std::vector<SectionLayout>& layout, const KnotIndices& knots, const ViewOutline& view,
                           double length);
 
+// Moves a view's points so that the mean of all samples on sections that both views share is the origin.
+void CentreOnSeams(const std::vector<SectionLayout>& layout, ViewSamples& samples);
+
 // Returns a section's points mirrored at the plane x = 0 and in reverse order: as its mirror section runs.
 Polyline Mirrored(const Polyline& points);
 

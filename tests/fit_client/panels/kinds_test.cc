@@ -19,7 +19,12 @@
 namespace fitroom {
 namespace {
 
+using testing::DrawGarment;
 using testing::DrawKind;
+using testing::DrawnDress;
+using testing::DrawnSkirt;
+using testing::DrawnTrousers;
+using testing::DrawnView;
 
 GarmentPattern Reconciled(const Garment& garment) {
   Result<GarmentPattern> pattern = ReconcileViews(garment);
@@ -59,6 +64,230 @@ TEST_P(EveryKind, HasItsHolesOnceSewn) {
     EXPECT_TRUE(sewn.is_manifold);
   }
   EXPECT_EQ(ExpectedEulerCharacteristic(GetParam()), 2 - holes);
+}
+
+TEST_P(EveryKind, GivesSeamsOneShapeAndSidesMirrorEachOther) {
+  const GarmentPattern pattern = Reconciled(DrawKind(GetParam(), {.tilt_deg = 4, .sway = 0.005, .crumple = 0.001},
+                                                     {.pixels_per_metre = 700, .crumple = 0.001}));
+  EXPECT_FALSE(pattern.asymmetric_by_design);
+  const size_t count = pattern.front.sections.size();
+  ASSERT_EQ(pattern.back.sections.size(), count);
+  for (size_t s = 0; s < count; ++s) {
+    const OutlineSection& front = pattern.front.sections[s];
+    const OutlineSection& back = pattern.back.sections[s];
+    EXPECT_EQ(front.name, back.name);
+    EXPECT_EQ(front.points.back(), pattern.front.sections[(s + 1) % count].points.front());
+    EXPECT_EQ(back.points.back(), pattern.back.sections[(s + 1) % count].points.front());
+    if (front.kind == SectionKind::kSeam) {
+      EXPECT_EQ(front.points, back.points) << front.name;
+    }
+    // The outline begins with the upper opening: mirrored, section s is section count - s, or itself.
+    for (const PanelPattern* panel : {&pattern.front, &pattern.back}) {
+      const std::vector<Eigen::Vector2d>& own = panel->sections[s].points;
+      const std::vector<Eigen::Vector2d>& mirror = panel->sections[(count - s) % count].points;
+      ASSERT_EQ(own.size(), mirror.size());
+      for (size_t i = 0; i < own.size(); ++i) {
+        const Eigen::Vector2d& other = mirror[mirror.size() - 1 - i];
+        EXPECT_EQ(own[i], Eigen::Vector2d(-other.x(), other.y())) << front.name;
+      }
+    }
+  }
+}
+
+TEST_P(EveryKind, LiesUprightWithTheWearersLeftOnPlusXAndItsOriginAtTheTop) {
+  const GarmentPattern pattern = Reconciled(DrawKind(GetParam(), {.tilt_deg = 5}, {.tilt_deg = -5}));
+  for (const PanelPattern* panel : {&pattern.front, &pattern.back}) {
+    EXPECT_GT(panels::SignedArea(JoinedPoints(*panel)), 0.05);
+    EXPECT_TRUE(panels::IsSimplePolygon(JoinedPoints(*panel)));
+    const bool bottom = IsBottom(GetParam());
+    const Eigen::Vector2d left = *FindPatternPoint(*panel, bottom ? "e1" : "P2");
+    const Eigen::Vector2d right = *FindPatternPoint(*panel, bottom ? "e3" : "P1");
+    EXPECT_NEAR((left + right).norm(), 0.0, 1e-12);
+    EXPECT_GT(left.x(), 0.05);
+    EXPECT_LT(FindPatternPoint(*panel, bottom ? "e2" : "hem_L")->y(), -0.35);
+    for (const std::string& name : OutlinePointNames(GetParam())) {
+      const Eigen::Vector2d* point = FindPatternPoint(*panel, name);
+      ASSERT_NE(point, nullptr) << name;
+      if (TwinPointName(GetParam(), name) == name) {
+        EXPECT_NEAR(point->x(), 0.0, 1e-9) << name;
+      } else {
+        EXPECT_EQ(point->x() > 0.0, IsLeftPoint(GetParam(), name)) << name;
+      }
+    }
+  }
+}
+
+TEST_P(EveryKind, NamesAParticleForEachPointOnBothPanels) {
+  const GarmentPattern pattern = Reconciled(DrawKind(GetParam()));
+  const ClothMesh mesh = Cut(pattern, 0.01);
+  EXPECT_EQ(mesh.named_particles.size(), 44u);
+  for (const PanelPattern* panel : {&pattern.front, &pattern.back}) {
+    const bool front = panel->side == GarmentSide::kFront;
+    for (const std::string& name : OutlinePointNames(GetParam())) {
+      const std::string full = (front ? "front/" : "back/") + name;
+      const auto found = std::find_if(mesh.named_particles.begin(), mesh.named_particles.end(),
+                                      [&](const NamedParticle& named) { return named.name == full; });
+      ASSERT_NE(found, mesh.named_particles.end()) << full;
+      const size_t particle = static_cast<size_t>(found->particle);
+      EXPECT_EQ(mesh.panel_of_particle[particle], front ? 0 : 1);
+      // Knots nearer than 0.8 pitches to a corner share its particle.
+      EXPECT_LT((mesh.rest_positions[particle].head<2>() - *FindPatternPoint(*panel, name)).norm(), 0.0081) << full;
+    }
+  }
+}
+
+TEST_P(EveryKind, CoversThePatternsAreaWithTrianglesThatFaceOutwards) {
+  const GarmentPattern pattern = Reconciled(DrawKind(GetParam()));
+  const ClothMesh mesh = Cut(pattern, 0.01);
+  double areas[2] = {0.0, 0.0};
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    const auto at = [&](int k) { return mesh.rest_positions[static_cast<size_t>(t[k])]; };
+    const Eigen::Vector3d u = at(1) - at(0), v = at(2) - at(0);
+    const double turn = u.x() * v.y() - u.y() * v.x();
+    const int panel = mesh.panel_of_particle[static_cast<size_t>(t[0])];
+    EXPECT_EQ(turn > 0.0, panel == 0);
+    areas[panel] += 0.5 * std::abs(turn);
+  }
+  EXPECT_NEAR(areas[0] / panels::SignedArea(JoinedPoints(pattern.front)), 1.0, 0.003);
+  EXPECT_NEAR(areas[1] / panels::SignedArea(JoinedPoints(pattern.back)), 1.0, 0.003);
+  double heaviest = 0.0;
+  for (const double weight : mesh.left_sleeve_weights) heaviest = std::max(heaviest, weight);
+  EXPECT_EQ(heaviest, HasSleeves(GetParam()) ? 1.0 : 0.0);
+}
+
+TEST_P(EveryKind, MeasuresWhatTheChartNames) {
+  const std::vector<GarmentMeasure> measures = MeasurePattern(Reconciled(DrawKind(GetParam())));
+  ASSERT_EQ(measures.size(), MeasureNames(GetParam()).size());
+  for (size_t i = 0; i < measures.size(); ++i) {
+    EXPECT_EQ(measures[i].name, MeasureNames(GetParam())[i]);
+    EXPECT_GT(measures[i].value, 0.05) << measures[i].name;
+    EXPECT_LT(measures[i].value, 1.1) << measures[i].name;
+    const bool rise = measures[i].name.ends_with("_rise");
+    EXPECT_EQ(measures[i].provenance, rise ? Provenance::kUnknown : Provenance::kMeasured) << measures[i].name;
+  }
+}
+
+// Every measure within 0.5 %, or 2 mm where a crumple of 1 mm moves both ends or a bend is rounded.
+void ExpectMeasures(const GarmentPattern& pattern, const std::vector<GarmentMeasure>& truth) {
+  const std::vector<GarmentMeasure> found = MeasurePattern(pattern);
+  for (const GarmentMeasure& measure : truth) {
+    EXPECT_NEAR(MeasureValue(found, measure.name), measure.value, std::max(0.002, 0.005 * measure.value))
+        << measure.name;
+  }
+}
+
+const DrawnView kLaidFront = {.tilt_deg = 5, .pixels_per_metre = 600, .sway = 0.003, .crumple = 0.001};
+const DrawnView kLaidBack = {.tilt_deg = -3, .pixels_per_metre = 1300, .sway = -0.004, .crumple = 0.001};
+
+TEST(ReconcileSkirt, RecoversTheMeasuresOfADrawing) {
+  const DrawnSkirt skirt;
+  const std::vector<GarmentMeasure> truth = {{"waist_width", 2.0 * skirt.half_waist},
+                                             {"hip_width", 2.0 * skirt.half_hip},
+                                             {"hem_width", 2.0 * skirt.half_hem},
+                                             {"length", skirt.length}};
+  ExpectMeasures(Reconciled(DrawGarment(skirt)), truth);
+  ExpectMeasures(Reconciled(DrawGarment(skirt, kLaidFront, kLaidBack)), truth);
+}
+
+TEST(ReconcileSkirt, KeepsTheWaistOfEachPanel) {
+  const GarmentPattern pattern = Reconciled(DrawGarment(DrawnSkirt{.front_dip = 0.035, .back_dip = -0.01}));
+  EXPECT_NEAR(FindPatternPoint(pattern.front, "waist_centre")->y(), -0.035, 0.002);
+  EXPECT_NEAR(FindPatternPoint(pattern.back, "waist_centre")->y(), 0.01, 0.002);
+}
+
+TEST(ReconcileSkirt, KeepsAnAsymmetryThatBothPhotographsShow) {
+  EXPECT_FALSE(Reconciled(DrawGarment(DrawnSkirt{.right_hip_share = 0.97})).asymmetric_by_design);
+}
+
+TEST(ReconcileSkirt, LeavesAShareOfTheFrontsDipToABackThatNobodyPhotographed) {
+  Garment garment = DrawGarment(DrawnSkirt{.front_dip = 0.04, .back_dip = 0.04});
+  garment.back.reset();
+  const GarmentPattern pattern = Reconciled(garment);
+  EXPECT_LT(FindPatternPoint(pattern.back, "waist_centre")->y(), 0.0);
+  EXPECT_GT(FindPatternPoint(pattern.back, "waist_centre")->y(),
+            FindPatternPoint(pattern.front, "waist_centre")->y() + 0.015);
+  EXPECT_EQ(FindSection(pattern.front, "side_L")->points, FindSection(pattern.back, "side_L")->points);
+}
+
+std::vector<GarmentMeasure> MeasuresOf(const DrawnTrousers& drawn) {
+  // Outseam below the hip and inseam are straight lines; widths are taken at equal shares of them.
+  const double hem_y = drawn.length + 0.5 * (drawn.front_dip + drawn.back_dip);
+  const double level = (drawn.crotch - 0.18) / (hem_y - 0.18);
+  const auto width = [&](double share) {
+    const double outer_share = level + share * (1.0 - level);
+    const Eigen::Vector2d outer((1.0 - outer_share) * drawn.half_hip + outer_share * drawn.outer_hem,
+                                (1.0 - outer_share) * 0.18 + outer_share * hem_y);
+    const Eigen::Vector2d inner(share * drawn.inner_hem, (1.0 - share) * drawn.crotch + share * hem_y);
+    return (outer - inner).norm();
+  };
+  return {{"waist_width", 2.0 * drawn.half_waist},
+          {"hip_width", 2.0 * drawn.half_hip},
+          {"thigh_width", width(0.25)},
+          {"knee_width", width(0.5)},
+          {"hem_width", drawn.outer_hem - drawn.inner_hem},
+          {"front_rise", drawn.crotch - drawn.front_dip},
+          {"back_rise", drawn.crotch - drawn.back_dip},
+          {"inseam", std::hypot(drawn.inner_hem, hem_y - drawn.crotch)},
+          {"length", drawn.length}};
+}
+
+TEST(ReconcileTrousers, RecoversTheMeasuresOfADrawing) {
+  const DrawnTrousers trousers;
+  ExpectMeasures(Reconciled(DrawGarment(trousers)), MeasuresOf(trousers));
+  ExpectMeasures(Reconciled(DrawGarment(trousers, kLaidFront, kLaidBack)), MeasuresOf(trousers));
+  const DrawnTrousers shorts{.length = 0.45, .inner_hem = 0.03, .outer_hem = 0.29};
+  ExpectMeasures(Reconciled(DrawGarment(shorts, kLaidFront, kLaidBack)), MeasuresOf(shorts));
+}
+
+TEST(ReconcileTrousers, TurnsEqualLegsOfUnequalLayIntoEqualLegs) {
+  // The mean of all four legs is laid as drawn; one by one they lie up to 9 degrees off.
+  const DrawnTrousers trousers;
+  Garment garment = DrawGarment(trousers);
+  garment.front = DrawView(trousers, GarmentSide::kFront, {.tilt_deg = 2, .sleeve_turn_deg = 5}, 4.0);
+  garment.back = DrawView(trousers, GarmentSide::kBack, {.pixels_per_metre = 800, .sleeve_turn_deg = -3}, -4.0);
+  const GarmentPattern pattern = Reconciled(garment);
+  EXPECT_FALSE(pattern.asymmetric_by_design);
+  ExpectMeasures(pattern, MeasuresOf(trousers));
+}
+
+TEST(ReconcileTrousers, PartsLegsThatLieSideBySide) {
+  DrawnTrousers trousers;
+  trousers.inner_hem = 0.002;
+  trousers.outer_hem = 0.17;
+  Garment garment = DrawGarment(trousers);
+  const GarmentPattern pattern = Reconciled(garment);
+  const Eigen::Vector2d crotch = *FindPatternPoint(pattern.front, "crotch");
+  for (const Eigen::Vector2d& p : FindSection(pattern.front, "inseam_L")->points) {
+    EXPECT_GE(p.x(), 0.01 * (crotch.y() - p.y()) - 1e-9) << p.transpose();
+  }
+  ExpectMeasures(pattern, {{"hem_width", 0.168}, {"waist_width", 0.38}, {"hip_width", 0.50}});
+  for (const double pitch : {0.02, 0.01}) EXPECT_EQ(ComputeEulerCharacteristic(Cut(pattern, pitch)), -1);
+}
+
+TEST(ReconcileDress, RecoversTheMeasuresOfADrawing) {
+  for (const bool sleeved : {false, true}) {
+    DrawnDress dress;
+    dress.sleeved = sleeved;
+    std::vector<GarmentMeasure> truth = {{"shoulder_width", 2.0 * dress.shoulder_tip.x()},
+                                         {"waist_width", 2.0 * dress.half_waist},
+                                         {"hip_width", 2.0 * dress.half_hip},
+                                         {"hem_width", 2.0 * dress.half_hem},
+                                         {"neck_width", 2.0 * dress.half_neck},
+                                         {"front_length", dress.length},
+                                         {"back_length", dress.length}};
+    if (sleeved) truth.push_back({"sleeve_opening", (dress.sleeve_top - dress.sleeve_bottom).norm()});
+    ExpectMeasures(Reconciled(DrawGarment(dress)), truth);
+    ExpectMeasures(Reconciled(DrawGarment(dress, kLaidFront, kLaidBack)), truth);
+  }
+}
+
+TEST(ReconcileDress, KeepsTheArmholesOfEachPanel) {
+  const DrawnDress dress;
+  const GarmentPattern pattern = Reconciled(DrawGarment(dress));
+  EXPECT_NEAR(FindPatternPoint(pattern.front, "armhole_L")->x(), dress.front_armhole, 0.003);
+  EXPECT_NEAR(FindPatternPoint(pattern.back, "armhole_L")->x(), dress.back_armhole, 0.003);
+  EXPECT_NEAR(FindPatternPoint(pattern.front, "neck_drop")->y(), -dress.front_drop, 0.002);
+  EXPECT_NEAR(FindPatternPoint(pattern.back, "neck_drop")->y(), -dress.back_drop, 0.002);
 }
 
 }  // namespace
