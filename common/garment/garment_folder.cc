@@ -18,6 +18,7 @@ constexpr size_t kMaxImageSize = 64u << 20;  // Our own textures are fast PNG, l
 std::vector<const GarmentView*> ViewsOf(const Garment& garment) {
   std::vector<const GarmentView*> views = {&garment.front};
   if (garment.back) views.push_back(&*garment.back);
+  if (garment.side_folded) views.push_back(&*garment.side_folded);
   return views;
 }
 

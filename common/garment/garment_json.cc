@@ -3,18 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include <nlohmann/json.hpp>
-
+#include "common/garment/measure_json.h"
 #include "common/garment/validate.h"
 
 namespace fitroom {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr size_t kMaxJsonSize = 4u << 20;  // (unit: byte)
 constexpr std::string_view kFormat = "fitroom.garment";
-constexpr int kVersion = 1;
+// Version 2 added fabric, size chart, provenance of measures and the side-folded view; version 1 is still read.
+constexpr int kVersion = 2;
 
 Status Bad(const std::string& place, const std::string& what) {
   return InvalidArgument("GARMENT_JSON", place + " " + what);
@@ -34,40 +32,6 @@ Json ViewToJson(const GarmentView& view) {
           {"image_height", view.image_height}, {"mm_per_pixel", view.metre_per_pixel * 1000.0},
           {"points", std::move(points)},       {"outline", std::move(outline)}};
 }
-
-// Reads members of one JSON object and remembers its place for messages. Each getter fails where the member is absent
-// or of another type; no exception of the library can arise.
-class ObjectReader {
- public:
-  ObjectReader(const Json& json, std::string place) : json_(json), place_(std::move(place)) {}
-
-  Result<const Json*> Member(const char* name) const {
-    if (!json_.is_object()) return Bad(place_, "is not an object");
-    const auto found = json_.find(name);
-    if (found == json_.end()) return Bad(place_ + "." + name, "is missing");
-    return &*found;
-  }
-  Result<std::string> String(const char* name) const {
-    FR_ASSIGN_OR_RETURN(const Json* member, Member(name));
-    if (!member->is_string()) return Bad(place_ + "." + name, "is not a string");
-    return member->get<std::string>();
-  }
-  Result<double> Number(const char* name) const {
-    FR_ASSIGN_OR_RETURN(const Json* member, Member(name));
-    if (!member->is_number()) return Bad(place_ + "." + name, "is not a number");
-    return member->get<double>();
-  }
-  Result<int> Int(const char* name) const {
-    FR_ASSIGN_OR_RETURN(const double number, Number(name));
-    if (number != std::floor(number) || std::abs(number) > 1e9) return Bad(place_ + "." + name, "is not an integer");
-    return static_cast<int>(number);
-  }
-  bool Has(const char* name) const { return json_.is_object() && json_.contains(name); }
-
- private:
-  const Json& json_;
-  std::string place_;
-};
 
 Result<Eigen::Vector2d> PixelFromJson(const Json& json, const std::string& place) {
   if (!json.is_array() || json.size() != 2 || !json[0].is_number() || !json[1].is_number()) {
@@ -93,14 +57,15 @@ Result<OutlinePoint> PointFromJson(const std::string& name, const Json& json, co
   return point;
 }
 
-// Returns the points in the kind's order; a missing one is left to ValidatePoints(), an unknown one ends it here.
-Result<std::vector<OutlinePoint>> PointsFromJson(const Json& json, GarmentKind kind, const std::string& place) {
+// Returns the points in the view's order; a missing one is left to ValidatePoints(), an unknown one ends it here.
+Result<std::vector<OutlinePoint>> PointsFromJson(const Json& json, GarmentKind kind, GarmentSide side,
+                                                 const std::string& place) {
   if (!json.is_object()) return Bad(place, "is not an object of points");
-  const std::vector<std::string>& names = OutlinePointNames(kind);
+  const std::vector<std::string>& names = ViewPointNames(kind, side);
   for (const auto& [name, value] : json.items()) {
     if (std::find(names.begin(), names.end(), name) == names.end()) {
-      return InvalidArgument("POINT_UNKNOWN", place + ": \"" + name.substr(0, 40) + "\" is not a point of a " +
-                                                  std::string(GarmentKindName(kind)));
+      return InvalidArgument("POINT_UNKNOWN",
+                             place + ": \"" + name.substr(0, 40) + "\" is not a point of " + DescribeView(kind, side));
     }
   }
   std::vector<OutlinePoint> points;
@@ -114,7 +79,7 @@ Result<std::vector<OutlinePoint>> PointsFromJson(const Json& json, GarmentKind k
 }
 
 Result<GarmentView> ViewFromJson(const Json& json, GarmentKind kind, GarmentSide side) {
-  const std::string place = side == GarmentSide::kFront ? "front" : "back";
+  const std::string place(GarmentSideName(side));
   const ObjectReader reader(json, place);
   GarmentView view;
   view.side = side;
@@ -126,7 +91,7 @@ Result<GarmentView> ViewFromJson(const Json& json, GarmentKind kind, GarmentSide
   FR_ASSIGN_OR_RETURN(const double mm_per_pixel, reader.Number("mm_per_pixel"));
   view.metre_per_pixel = mm_per_pixel / 1000.0;
   FR_ASSIGN_OR_RETURN(const Json* points, reader.Member("points"));
-  FR_ASSIGN_OR_RETURN(view.points, PointsFromJson(*points, kind, place + ".points"));
+  FR_ASSIGN_OR_RETURN(view.points, PointsFromJson(*points, kind, side, place + ".points"));
   FR_ASSIGN_OR_RETURN(const Json* outline, reader.Member("outline"));
   if (!outline->is_array()) return Bad(place + ".outline", "is not an array");
   if (outline->size() > static_cast<size_t>(kMaxOutlinePoints)) {
@@ -140,51 +105,56 @@ Result<GarmentView> ViewFromJson(const Json& json, GarmentKind kind, GarmentSide
   return view;
 }
 
-Result<Json> Parse(std::string_view text) {
-  if (text.size() > kMaxJsonSize) {
-    return ResourceExhausted("GARMENT_JSON_TOO_LARGE", "the JSON text has more than 4 MB");
-  }
-  Json json = Json::parse(text, nullptr, /*allow_exceptions=*/false);
-  if (json.is_discarded()) return Bad("the text", "is not valid JSON");
-  if (!json.is_object()) return Bad("the document", "is not an object");
-  return json;
-}
-
-Result<std::vector<GarmentMeasure>> MeasuresFromJson(const Json& json) {
-  if (!json.is_object() || json.size() > 100) return Bad("measures_cm", "is not an object of at most 100 numbers");
-  std::vector<GarmentMeasure> measures;
-  for (const auto& [name, value] : json.items()) {
-    if (!value.is_number()) return Bad("measures_cm." + name.substr(0, 40), "is not a number");
-    measures.push_back({name, value.get<double>() / 100.0});
-  }
-  return measures;
-}
-
 }  // namespace
 
 std::string GarmentToJson(const Garment& garment) {
-  Json measures = Json::object();
-  for (const GarmentMeasure& measure : garment.measures) {
-    measures[measure.name] = std::round(measure.value * 1e4) / 100.0;
-  }
   Json json = {{"format", kFormat},
                {"version", kVersion},
                {"id", garment.id},
                {"title", garment.title},
                {"kind", GarmentKindName(garment.kind)},
                {"length_cm", garment.length * 100.0},
-               {"measures_cm", std::move(measures)},
-               {"front", ViewToJson(garment.front)}};
+               {"fabric", garment.fabric},
+               {"measures_cm", MeasuresToJson(garment.measures)}};
+  if (!garment.chart.sizes.empty()) json["chart"] = ChartToJson(garment.chart);
+  json["front"] = ViewToJson(garment.front);
   if (garment.back) json["back"] = ViewToJson(*garment.back);
+  if (garment.side_folded) json["side_folded"] = ViewToJson(*garment.side_folded);
   return json.dump(-1, ' ', /*ensure_ascii=*/false, Json::error_handler_t::replace) + "\n";
 }
 
-Result<Garment> GarmentFromJson(std::string_view text) {
-  FR_ASSIGN_OR_RETURN(const Json json, Parse(text));
-  const ObjectReader reader(json, "garment");
+namespace {
+
+// What version 2 added; all of it may be absent.
+Status ReadStated(const ObjectReader& reader, Garment& garment) {
+  if (reader.Has("fabric")) {
+    FR_ASSIGN_OR_RETURN(garment.fabric, reader.String("fabric"));
+  }
+  if (reader.Has("measures_cm")) {
+    const ObjectReader measures(reader.json()["measures_cm"], "garment.measures_cm");
+    FR_ASSIGN_OR_RETURN(garment.measures, MeasuresFromJson(measures));
+  }
+  if (reader.Has("chart")) {
+    FR_ASSIGN_OR_RETURN(garment.chart, ChartFromJson(ObjectReader(reader.json()["chart"], "garment.chart")));
+  }
+  return {};
+}
+
+Status CheckFormat(const ObjectReader& reader) {
   FR_ASSIGN_OR_RETURN(const std::string format, reader.String("format"));
+  if (format != kFormat) return Bad("garment.format", "is not fitroom.garment; give the garment.json of a garment");
   FR_ASSIGN_OR_RETURN(const int version, reader.Int("version"));
-  if (format != kFormat || version != kVersion) return Bad("garment.format", "is not fitroom.garment, version 1");
+  if (version >= 1 && version <= kVersion) return {};
+  return Bad("garment.version", "is " + std::to_string(version) + ", versions 1 to " + std::to_string(kVersion) +
+                                    " can be read; a later fitroom has written it: update this one");
+}
+
+}  // namespace
+
+Result<Garment> GarmentFromJson(std::string_view text) {
+  FR_ASSIGN_OR_RETURN(const Json json, ParseJsonObject(text, kMaxJsonSize, "GARMENT_JSON"));
+  const ObjectReader reader(json, "garment");
+  FR_RETURN_IF_ERROR(CheckFormat(reader));
   Garment garment;
   FR_ASSIGN_OR_RETURN(garment.id, reader.String("id"));
   FR_ASSIGN_OR_RETURN(garment.title, reader.String("title"));
@@ -194,29 +164,48 @@ Result<Garment> GarmentFromJson(std::string_view text) {
   garment.kind = *kind;
   FR_ASSIGN_OR_RETURN(const double length_cm, reader.Number("length_cm"));
   garment.length = length_cm / 100.0;
-  if (reader.Has("measures_cm")) {
-    FR_ASSIGN_OR_RETURN(garment.measures, MeasuresFromJson(json["measures_cm"]));
-  }
+  FR_RETURN_IF_ERROR(ReadStated(reader, garment));
   FR_ASSIGN_OR_RETURN(const Json* front, reader.Member("front"));
   FR_ASSIGN_OR_RETURN(garment.front, ViewFromJson(*front, garment.kind, GarmentSide::kFront));
   if (reader.Has("back")) {
     FR_ASSIGN_OR_RETURN(garment.back, ViewFromJson(json["back"], garment.kind, GarmentSide::kBack));
   }
+  if (reader.Has("side_folded")) {
+    FR_ASSIGN_OR_RETURN(garment.side_folded, ViewFromJson(json["side_folded"], garment.kind, GarmentSide::kSideFolded));
+  }
   FR_RETURN_IF_ERROR(ValidateGarment(garment));
   return garment;
 }
 
+std::string ShopStatementToJson(const ShopStatement& statement) {
+  Json json = {{"fabric", statement.fabric}, {"measures_cm", MeasuresToJson(statement.measures)}};
+  if (!statement.chart.sizes.empty()) json["chart"] = ChartToJson(statement.chart);
+  return json.dump(-1, ' ', /*ensure_ascii=*/false, Json::error_handler_t::replace);
+}
+
+Result<ShopStatement> ShopStatementFromJson(std::string_view text) {
+  FR_ASSIGN_OR_RETURN(const Json json, ParseJsonObject(text, kMaxJsonSize, "GARMENT_JSON"));
+  const ObjectReader reader(json, "statement");
+  Garment garment;
+  FR_RETURN_IF_ERROR(ReadStated(reader, garment));
+  return ShopStatement{std::move(garment.fabric), std::move(garment.chart), std::move(garment.measures)};
+}
+
 Result<PointAnnotation> PointAnnotationFromJson(std::string_view text, GarmentKind kind) {
-  FR_ASSIGN_OR_RETURN(const Json json, Parse(text));
+  FR_ASSIGN_OR_RETURN(const Json json, ParseJsonObject(text, kMaxJsonSize, "GARMENT_JSON"));
   PointAnnotation annotation;
   const ObjectReader reader(json, "annotation");
-  if (!reader.Has("front") && !reader.Has("back")) return Bad("annotation", "has neither \"front\" nor \"back\"");
-  if (reader.Has("front")) {
-    FR_ASSIGN_OR_RETURN(annotation.front, PointsFromJson(json["front"], kind, "front"));
-  }
-  if (reader.Has("back")) {
-    FR_ASSIGN_OR_RETURN(annotation.back, PointsFromJson(json["back"], kind, "back"));
-  }
+  bool has_any = false;
+  const auto read = [&](const char* place, GarmentSide side, std::vector<OutlinePoint>& points) -> Status {
+    if (!reader.Has(place)) return {};
+    has_any = true;
+    FR_ASSIGN_OR_RETURN(points, PointsFromJson(json[place], kind, side, place));
+    return {};
+  };
+  FR_RETURN_IF_ERROR(read("front", GarmentSide::kFront, annotation.front));
+  FR_RETURN_IF_ERROR(read("back", GarmentSide::kBack, annotation.back));
+  FR_RETURN_IF_ERROR(read("side_folded", GarmentSide::kSideFolded, annotation.side_folded));
+  if (!has_any) return Bad("annotation", "has none of \"front\", \"back\" and \"side_folded\"");
   return annotation;
 }
 

@@ -212,6 +212,7 @@ const KindPoints& PointsOf(GarmentKind kind) {
 const std::vector<std::string>& OutlinePointNames(GarmentKind kind) { return PointsOf(kind).names; }
 
 std::vector<std::string> OutlineOrder(GarmentKind kind, GarmentSide side) {
+  if (side == GarmentSide::kSideFolded) return kSideFolded;
   Names order = PointsOf(kind).way;
   if (side == GarmentSide::kBack) std::reverse(order.begin(), order.end());
   return order;

@@ -130,16 +130,6 @@ bool IsGarmentId(const std::string& id) {
   });
 }
 
-Status CheckMeasures(const std::vector<GarmentMeasure>& measures) {
-  if (measures.size() > 100) return Invalid("GARMENT_MEASURE", "more than 100 measures");
-  for (const GarmentMeasure& measure : measures) {
-    if (measure.name.empty() || measure.name.size() > 63 || !(measure.value >= 0.0) || measure.value > 10.0) {
-      return Invalid("GARMENT_MEASURE", "measure \"" + measure.name.substr(0, 40) + "\" is out of range");
-    }
-  }
-  return {};
-}
-
 }  // namespace
 
 bool IsPlainFileName(std::string_view name) {
@@ -149,12 +139,20 @@ bool IsPlainFileName(std::string_view name) {
   });
 }
 
+const std::vector<std::string>& ViewPointNames(GarmentKind kind, GarmentSide side) {
+  return side == GarmentSide::kSideFolded ? SideFoldedPointNames() : OutlinePointNames(kind);
+}
+
+std::string DescribeView(GarmentKind kind, GarmentSide side) {
+  return side == GarmentSide::kSideFolded ? "a side-folded photograph" : "a " + std::string(GarmentKindName(kind));
+}
+
 Status ValidatePoints(GarmentKind kind, const GarmentView& view) {
-  const std::vector<std::string>& names = OutlinePointNames(kind);
+  const std::vector<std::string>& names = ViewPointNames(kind, view.side);
   for (const OutlinePoint& point : view.points) {
     if (std::find(names.begin(), names.end(), point.name) == names.end()) {
       return Invalid("POINT_UNKNOWN",
-                     "\"" + point.name.substr(0, 40) + "\" is not a point of a " + std::string(GarmentKindName(kind)));
+                     "\"" + point.name.substr(0, 40) + "\" is not a point of " + DescribeView(kind, view.side));
     }
     if (!IsInside(point.pixel, view)) return Invalid("POINT_OUTSIDE_IMAGE", point.name + " lies outside the image");
     if (!(point.confidence >= 0.0 && point.confidence <= 1.0)) {
@@ -169,7 +167,8 @@ Status ValidatePoints(GarmentKind kind, const GarmentView& view) {
       return Invalid("POINT_OUT_OF_ORDER", names[i] + " is not at its place in the list, or a point is given twice");
     }
   }
-  return CheckSides(kind, view);
+  // Of a side-folded view the way round the outline alone tells left from right.
+  return view.side == GarmentSide::kSideFolded ? Status() : CheckSides(kind, view);
 }
 
 Status ValidateView(GarmentKind kind, const GarmentView& view) {
@@ -194,13 +193,22 @@ Status ValidateGarment(const Garment& garment) {
   if (!(garment.length >= kMinGarmentLength && garment.length <= kMaxGarmentLength)) {
     return Invalid("GARMENT_LENGTH", "the length must be 20 to 200 cm");
   }
-  FR_RETURN_IF_ERROR(CheckMeasures(garment.measures));
+  FR_RETURN_IF_ERROR(ValidateFabric(garment.fabric));
+  FR_RETURN_IF_ERROR(ValidateMeasures(garment.kind, garment.measures));
+  if (garment.chart != SizeChart{}) {
+    FR_RETURN_IF_ERROR(ValidateSizeChart(garment.kind, garment.chart));
+    FR_RETURN_IF_ERROR(CheckChartAgainstPhotographs(garment));
+  }
   if (garment.front.side != GarmentSide::kFront || (garment.back && garment.back->side != GarmentSide::kBack)) {
     return Invalid("POINTS_SWAPPED", "front and back view are exchanged");
   }
   FR_RETURN_IF_ERROR(ValidateView(garment.kind, garment.front).At("front"));
   if (garment.back) FR_RETURN_IF_ERROR(ValidateView(garment.kind, *garment.back).At("back"));
-  return {};
+  if (!garment.side_folded) return {};
+  if (!HasLegs(garment.kind) || garment.side_folded->side != GarmentSide::kSideFolded) {
+    return Invalid("SIDE_FOLDED_KIND", "a side-folded photograph belongs to pants and shorts alone; leave it out");
+  }
+  return ValidateView(garment.kind, *garment.side_folded).At("side_folded");
 }
 
 }  // namespace fitroom

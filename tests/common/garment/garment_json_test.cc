@@ -39,6 +39,66 @@ TEST(GarmentJson, GivesBackWhatWasWritten) {
   EXPECT_EQ(GarmentToJson(*read), text);
 }
 
+TEST(GarmentJson, GivesBackChartFabricProvenanceAndSideFoldedView) {
+  const Garment garment = testing::MakeSampleTrousers();
+  ASSERT_TRUE(ValidateGarment(garment).ok()) << ValidateGarment(garment).ToString();
+  const std::string text = GarmentToJson(garment);
+  const Result<Garment> read = GarmentFromJson(text);
+  ASSERT_TRUE(read.ok()) << read.status().ToString();
+  EXPECT_EQ(read->fabric, "denim");
+  EXPECT_EQ(read->measures, garment.measures);
+  EXPECT_EQ(read->chart, garment.chart);
+  ASSERT_TRUE(read->side_folded.has_value());
+  EXPECT_EQ(read->side_folded->side, GarmentSide::kSideFolded);
+  EXPECT_EQ(read->side_folded->outline, garment.side_folded->outline);
+  EXPECT_EQ(read->side_folded->points.size(), SideFoldedPointNames().size());
+  EXPECT_EQ(GarmentToJson(*read), text);
+}
+
+// Every tenth of a millimetre is a number of its own on both sides of the change of unit.
+TEST(GarmentJson, StatedLengthsComeBackBitForBit) {
+  ShopStatement statement;
+  for (int tenth = 100; tenth <= 25000; tenth += 7) {
+    statement.measures = {{"front_rise", tenth / 1e4, Provenance::kStated}};
+    const Result<ShopStatement> read = ShopStatementFromJson(ShopStatementToJson(statement));
+    ASSERT_TRUE(read.ok()) << read.status().ToString();
+    ASSERT_EQ(read->measures, statement.measures);
+  }
+}
+
+// As the first version wrote it: no fabric, bare measures, nothing of sizes.
+TEST(GarmentJson, ReadsTheFirstVersion) {
+  std::string text = GarmentToJson(testing::MakeSampleTShirt());
+  text.replace(text.find("\"version\":2"), 11, "\"version\":1");
+  const std::string fabric = "\"fabric\":\"jersey\",";
+  ASSERT_NE(text.find(fabric), std::string::npos);
+  text.erase(text.find(fabric), fabric.size());
+  const Result<Garment> read = GarmentFromJson(text);
+  ASSERT_TRUE(read.ok()) << read.status().ToString();
+  EXPECT_EQ(read->fabric, "jersey");
+  EXPECT_TRUE(read->chart.sizes.empty());
+  EXPECT_EQ(read->measures, testing::MakeSampleTShirt().measures);
+}
+
+TEST(GarmentJson, ALaterVersionSaysWhatToDo) {
+  std::string text = GarmentToJson(testing::MakeSampleTShirt());
+  text.replace(text.find("\"version\":2"), 11, "\"version\":3");
+  const Status status = GarmentFromJson(text).status();
+  EXPECT_EQ(status.reason(), "GARMENT_JSON");
+  EXPECT_THAT(status.message(), HasSubstr("garment.version is 3"));
+  EXPECT_THAT(status.message(), HasSubstr("update"));
+}
+
+TEST(GarmentJson, AChartsFaultNamesItsPlace) {
+  std::string text = GarmentToJson(testing::MakeSampleTrousers());
+  const size_t place = text.find("\"hip_width\":51.5");
+  ASSERT_NE(place, std::string::npos);
+  text.replace(place, 16, "\"hip_width\":\"x\"");
+  const Status status = GarmentFromJson(text).status();
+  EXPECT_EQ(status.reason(), "GARMENT_JSON");
+  EXPECT_THAT(status.message(), HasSubstr("garment.chart.sizes[2].measures_cm.hip_width"));
+}
+
 TEST(GarmentJson, TextThatEndsEarlyIsRefusedAtEveryLength) {
   const std::string text = GarmentToJson(testing::MakeSampleTShirt());
   for (size_t length = 0; length + 2 < text.size(); ++length) {
@@ -64,6 +124,33 @@ struct Damage {
   const char* named;  // What the message must name.
   std::function<void(Garment&)> apply;
 };
+
+TEST(ValidateGarment, NamesEachFaultOfWhatTheShopStates) {
+  const std::vector<Damage> damages = {
+      {"FABRIC_UNKNOWN", "jersey", [](Garment& g) { g.fabric = "chainmail"; }},
+      {"GARMENT_MEASURE", "twice", [](Garment& g) { g.measures.push_back(g.measures[0]); }},
+      {"GARMENT_MEASURE", "front_rise", [](Garment& g) { g.measures[2].value = 2.45; }},
+      {"GARMENT_MEASURE", "inseam", [](Garment& g) { g.measures[2].name = "sleeve_length"; }},
+      {"GARMENT_MEASURE", "thigh_width", [](Garment& g) { g.measures[4].value = 0.3; }},
+      {"CHART_PHOTOGRAPHED_SIZE", "XL", [](Garment& g) { g.chart.photographed_size = "XL"; }},
+      {"CHART_SIZE_COUNT", "0", [](Garment& g) { g.chart.sizes.clear(); }},
+      {"CHART_CONTRADICTS_PHOTOGRAPH", "girths", [](Garment& g) { g.measures[0].value = 0.76 / 4; }},
+      {"SIDE_FOLDED_KIND", "shorts", [](Garment& g) { g.side_folded->side = GarmentSide::kFront; }},
+      {"POINT_MISSING", "crotch", [](Garment& g) { g.side_folded->points.pop_back(); }},
+      {"POINT_OUT_OF_ORDER", "side_folded",
+       [](Garment& g) { std::swap(g.side_folded->points[1].pixel, g.side_folded->points[2].pixel); }},
+  };
+  for (const Damage& damage : damages) {
+    Garment garment = testing::MakeSampleTrousers();
+    damage.apply(garment);
+    const Status status = ValidateGarment(garment);
+    EXPECT_EQ(status.reason(), damage.reason) << status.ToString();
+    EXPECT_THAT(status.message(), HasSubstr(damage.named));
+  }
+  Garment shirt = testing::MakeSampleTShirt();
+  shirt.side_folded = testing::MakeSampleTrousers().side_folded;
+  EXPECT_EQ(ValidateGarment(shirt).reason(), "SIDE_FOLDED_KIND");
+}
 
 TEST(ValidateGarment, NamesEachFault) {
   const std::vector<Damage> damages = {
