@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit_client/fit/solver/self_collision.h"
+
 namespace fitroom {
 namespace {
 
@@ -192,6 +194,7 @@ void ClothSolver::Advance(ClothState& state, int substep_count, std::span<const 
     });
     SolveConstraints(state, model_.border(), denominators_.back());
     SolvePulls(state, pulls, closing_speed);
+    if (self_collision_ != nullptr) self_collision_->Solve(state, motion_.time_step);
   }
   executor_.Run(chunk_count, [&](int task) { SolveContacts(state, chunks[static_cast<size_t>(task)]); });
 }

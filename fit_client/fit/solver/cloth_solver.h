@@ -13,6 +13,8 @@
 
 namespace fitroom {
 
+class SelfCollision;
+
 // Four floats in one register: a place, direction or velocity and one number that travels with it.
 struct alignas(16) Float4 {
   float x = 0.0F;
@@ -73,7 +75,7 @@ struct SeamPull {
 //
 // The cloth is cut into chunks that are solved as parallel tasks; constraints between chunks follow in one task. The
 // cut does not depend on the executor, so any number of threads gives the same bits.
-// Owns nothing: model, field and executor must outlive it. Not thread-safe.
+// Owns nothing: model, field, executor and self-collision must outlive it. Not thread-safe.
 class ClothSolver {
  public:
   ClothSolver(const ClothModel& model, const SignedDistanceField& body, Executor& executor);
@@ -85,6 +87,8 @@ class ClothSolver {
   // Attaches particles, in place of all earlier attachments: they get an infinite mass, walk straight to their targets
   // without regard to contact, and stay there.
   void Attach(ClothState& state, std::span<const Attachment> attachments);
+  // Cloth against itself from now on, after the springs and before the body; null: not at all.
+  void SetSelfCollision(SelfCollision* self_collision) { self_collision_ = self_collision; }
   // Advances by `substep_count` steps. `pulls` draw pairs together by at most `closing_speed` (unit: m/s).
   void Advance(ClothState& state, int substep_count, std::span<const SeamPull> pulls, double closing_speed);
   // Looks at edge middles and triangle centres near the body and raises the contact offset of the particles round those
@@ -110,6 +114,7 @@ class ClothSolver {
   const ClothModel& model_;
   const SignedDistanceField& body_;
   Executor& executor_;
+  SelfCollision* self_collision_ = nullptr;
   MotionOptions motion_;
   std::vector<float> inverse_masses_;
   std::vector<Denominators> denominators_;  // One a chunk, then the border.

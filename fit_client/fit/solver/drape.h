@@ -59,6 +59,8 @@ struct DrapeOptions {
   double contact_offset = 0.003;    // Particles stay this far outside the body (unit: metre).
   double sample_clearance = 0.001;  // Edge middles and triangle centres stay this far outside (unit: metre).
 
+  bool self_collision = true;  // Layers of the cloth keep apart from each other once stitched.
+
   double closing_speed = 1.6;  // Largest speed at which a pair is drawn together (unit: m/s).
   double closed_gap = 0.0005;  // A pair closer than this is closed (unit: metre).
   int merging_substep_limit = 3000;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fit_client/fit/solver/drape_measures.h"
+#include "fit_client/fit/solver/self_collision.h"
 
 namespace fitroom {
 namespace {
@@ -23,7 +24,8 @@ constexpr int kRestWindows = 3;         // Rest must hold for this many sixtieth
 constexpr int kPatientRestWindows = 12;
 // After so many windows of hanging offsets are raised no more: where there is no room they would only shake the cloth.
 constexpr int kRaisingWindows = 60;
-constexpr int kOffBodyRestWindows = 60;  // The same where a vertex that has to touch the body does not.
+constexpr int kTangledRestWindows = 60;  // The same where cloth still passes through cloth,
+constexpr int kOffBodyRestWindows = 60;  // or where a vertex that has to touch the body does not.
 
 // The mean edge of the mesh, within what the steps were tuned on (unit: metre).
 double MeanEdgeLength(const ClothMesh& mesh) {
@@ -56,7 +58,10 @@ class HangingGarment {
       : run_(run),
         model_(model),
         solver_(model, run.body, run.executor),
-        state_(solver_.MakeState(run.ParticlePositions(model))) {}
+        self_collision_(model, SelfCollisionOptions(), run.executor),
+        state_(solver_.MakeState(run.ParticlePositions(model))) {
+    if (run.options.self_collision) solver_.SetSelfCollision(&self_collision_);
+  }
 
   Status Hang() {
     Relax();
@@ -76,10 +81,16 @@ class HangingGarment {
   // Says whether the cloth is at rest, from how far particles went in a sixtieth of a second; fills the report.
   bool IsAtRest(const std::vector<Eigen::Vector3d>& before, const std::vector<Eigen::Vector3d>& after, double seconds);
   bool TouchesBody();
+  // Says whether cloth passes through cloth and is being drawn out.
+  bool IsTangled() {
+    if (run_.options.self_collision) self_collision_.Refresh(state_);
+    return self_collision_.crossing_count() > 0;
+  }
 
   DrapeRun& run_;
   const ClothModel& model_;
   ClothSolver solver_;
+  SelfCollision self_collision_;
   ClothState state_;
   int windows_at_rest_ = 0;
 };
@@ -157,7 +168,7 @@ Status HangingGarment::ComeToRest() {
     const int windows_needed = !TouchesBody()           ? kOffBodyRestWindows
                                : samples_too_close == 0 ? kRestWindows
                                                         : kPatientRestWindows;
-    if (windows_at_rest_ >= windows_needed) break;
+    if (windows_at_rest_ >= windows_needed && (windows_at_rest_ >= kTangledRestWindows || !IsTangled())) break;
     if (window_count % kRaisingWindows == 0 && motion.drag < kLargestDrag) {
       motion.drag *= 2.0;
       solver_.SetMotion(motion);
