@@ -86,7 +86,11 @@ void PrintTable(const GarmentExtraction& extraction, const std::string& folder) 
   if (extraction.back) PrintView("back", *extraction.back);
   std::printf("\n%-16s %8s\n", "measure, flat", "cm");
   for (const GarmentMeasure& measure : extraction.garment.measures) {
-    std::printf("%-16s %8.1f\n", measure.name.c_str(), measure.value * 100.0);
+    if (measure.provenance == Provenance::kUnknown) {
+      std::printf("%-16s %8s\n", measure.name.c_str(), "unknown");
+    } else {
+      std::printf("%-16s %8.1f\n", measure.name.c_str(), measure.value * 100.0);
+    }
   }
   std::printf("\n%s\n", (std::filesystem::path(folder) / "extraction.png").c_str());
 }
@@ -142,8 +146,11 @@ void AddExtractCommand(CLI::App& app, int& exit_code) {
       app.add_subcommand("extract", "Finds a garment's outline, points and measures in photographs, without a server");
   command->add_option("FRONT", options->front, "Front photograph (JPEG, PNG or WebP)")->required();
   command->add_option("BACK", options->back, "Back photograph; without it the front serves for both");
-  command->add_option("--kind", options->kind, "tshirt or long_sleeve")->capture_default_str();
-  command->add_option("--length-cm", options->length_cm, "Length from the highest shoulder point to the hem, flat");
+  command
+      ->add_option("--kind", options->kind, "tshirt, long_sleeve, one_piece, one_piece_sleeved, skirt, pants or shorts")
+      ->capture_default_str();
+  command->add_option("--length-cm", options->length_cm,
+                      "Length from the highest shoulder point or the waist to the hem, flat");
   command->add_option("--out", options->out, "Folder to write: garment.json, images, extraction.png")->required();
   command->add_option("--annotation", options->annotation,
                       "JSON with points given by hand: {\"front\": {\"P1\": [x, y], ...}, \"back\": {...}}");

@@ -11,6 +11,7 @@
 #include "common/image/decode.h"
 #include "common/image/encode.h"
 #include "shop_catalog/garment/drawing.h"
+#include "shop_catalog/garment/kind_frame.h"
 #include "shop_catalog/garment/measures.h"
 #include "shop_catalog/garment/texture.h"
 #include "shop_catalog/garment/view_extraction.h"
@@ -18,8 +19,6 @@
 namespace fitroom::shop_catalog {
 namespace {
 
-constexpr double kMinLength = 0.30;        // Stated length of a top (unit: metre).
-constexpr double kMaxLength = 1.20;        // (unit: metre)
 constexpr double kMaxViewMismatch = 0.25;  // Front against back, part of the larger.
 
 std::string Centimetres(double length) {
@@ -29,24 +28,22 @@ std::string Centimetres(double length) {
 }
 
 Status CheckStatement(const ExtractionRequest& request) {
-  if (request.kind != GarmentKind::kTShirt && request.kind != GarmentKind::kLongSleeve) {
+  if (request.kind != GarmentKind::kTShirt && request.annotation == nullptr) {
     return Status(StatusCode::kUnimplemented, "KIND_NOT_SUPPORTED",
-                  "garments of the kind " + std::string(GarmentKindName(request.kind)) +
-                      " cannot be extracted yet; tshirt and long_sleeve can");
+                  "the points of a " + std::string(GarmentKindName(request.kind)) +
+                      " are not detected yet; give them as an annotation");
   }
-  if (request.kind == GarmentKind::kLongSleeve && request.annotation == nullptr) {
-    return Status(StatusCode::kUnimplemented, "KIND_NOT_SUPPORTED",
-                  "the points of a long_sleeve are not detected yet; give them as an annotation");
-  }
+  const KindEnds& ends = EndsOf(request.kind);
+  const std::string from_to = "from the " + std::string(ends.upper) + " to the " + std::string(ends.lower);
   if (request.length == 0.0) {
-    return InvalidArgument(
-        "LENGTH_MISSING",
-        "the garment's length is missing; state it in cm, from the highest shoulder point to the hem");
+    return InvalidArgument("LENGTH_MISSING", "the garment's length is missing; state it in cm, " + from_to);
   }
-  if (!(request.length >= kMinLength && request.length <= kMaxLength)) {
-    return InvalidArgument("LENGTH_OUT_OF_RANGE", "a length of " + Centimetres(request.length) +
-                                                      " cannot be that of a top (30 to 120 cm); measure from the "
-                                                      "highest shoulder point to the hem");
+  const LengthRange range = LengthRangeOf(request.kind);
+  if (!(request.length >= range.least && request.length <= range.most)) {
+    return InvalidArgument("LENGTH_OUT_OF_RANGE",
+                           "a length of " + Centimetres(request.length) + " cannot be that of a " +
+                               std::string(GarmentKindName(request.kind)) + " (" + Centimetres(range.least) + " to " +
+                               Centimetres(range.most) + "); measure " + from_to);
   }
   if (request.front_photo.empty()) {
     return InvalidArgument("PHOTO_MISSING", "the front photograph is missing");
@@ -60,18 +57,19 @@ Status Cancelled(const ExtractionRequest& request) {
 }
 
 // Both views were scaled by the same stated length, so their widths must agree as well.
-Status CheckViewsMatch(const GarmentView& front, const GarmentView& back) {
+Status CheckViewsMatch(GarmentKind kind, const GarmentView& front, const GarmentView& back) {
   const auto distance = [](const GarmentView& view, const char* a, const char* b) {
     return (FindPoint(view, a)->pixel - FindPoint(view, b)->pixel).norm() * view.metre_per_pixel;
   };
-  constexpr std::array<std::array<const char*, 3>, 3> kWidths = {
-      {{"hem_L", "hem_R", "hem"}, {"underarm_L", "underarm_R", "chest"}, {"e3", "e7", "shoulders"}}};
-  for (const auto& [a, b, name] : kWidths) {
+  using Width = std::array<const char*, 3>;
+  static const std::vector<Width> kTop = {{"hem_L", "hem_R", "hem"}, {"underarm_L", "underarm_R", "chest"}};
+  static const std::vector<Width> kBottom = {{"e1", "e3", "waist"}, {"hip_L", "hip_R", "hip"}};
+  for (const auto& [a, b, name] : IsBottom(kind) ? kBottom : kTop) {
     const double width_front = distance(front, a, b);
     const double width_back = distance(back, a, b);
     if (std::abs(width_front - width_back) > kMaxViewMismatch * std::max(width_front, width_back)) {
       return FailedPrecondition("VIEWS_DO_NOT_MATCH", std::string("front and back are not the same garment: the ") +
-                                                          name + " measure " + Centimetres(width_front) +
+                                                          name + " measures " + Centimetres(width_front) +
                                                           " on the front and " + Centimetres(width_back) +
                                                           " on the back; give two photographs of one garment");
     }
@@ -108,7 +106,7 @@ Result<GarmentExtraction> ExtractOrThrow(const ExtractionRequest& request) {
   if (!request.back_photo.empty()) {
     FR_ASSIGN_OR_RETURN(back, ExtractView(request.back_photo, GarmentSide::kBack, request.kind, back_points));
     back->view.metre_per_pixel = request.length / back->length_px;
-    FR_RETURN_IF_ERROR(CheckViewsMatch(front.view, back->view));
+    FR_RETURN_IF_ERROR(CheckViewsMatch(request.kind, front.view, back->view));
     FR_RETURN_IF_ERROR(Cancelled(request));
   }
 
@@ -121,7 +119,7 @@ Result<GarmentExtraction> ExtractOrThrow(const ExtractionRequest& request) {
   garment.title = request.title;
   garment.kind = request.kind;
   garment.length = request.length;
-  garment.measures = MeasureTop(front.view, back ? &back->view : nullptr);
+  garment.measures = MeasureGarment(request.kind, front.view, back ? &back->view : nullptr);
   garment.front = std::move(front.view);
   result.front = front.confidence;
   if (back) {

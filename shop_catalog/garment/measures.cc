@@ -2,50 +2,128 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <string>
 
 #include "common/base/check.h"
 #include "common/garment/polygon.h"
+#include "shop_catalog/garment/kind_frame.h"
 
 namespace fitroom::shop_catalog {
 namespace {
 
 constexpr double kChestBelowUnderarm = 0.025;  // (unit: metre)
 
-Eigen::Vector2d At(const GarmentView& view, const std::string& name) {
-  const OutlinePoint* point = FindPoint(view, name);
-  FR_CHECK(point != nullptr);
-  return point->pixel;
+// One view with its scale.
+class Ruler {
+ public:
+  Ruler(GarmentKind kind, const GarmentView& view) : kind_(kind), view_(view) {}
+
+  Eigen::Vector2d At(std::string_view name) const {
+    const OutlinePoint* point = FindPoint(view_, name);
+    FR_CHECK(point != nullptr);
+    return point->pixel;
+  }
+  Eigen::Vector2d Middle(std::string_view a, std::string_view b) const { return 0.5 * (At(a) + At(b)); }
+  double Distance(std::string_view a, std::string_view b) const {
+    return (At(a) - At(b)).norm() * view_.metre_per_pixel;
+  }
+  // Across the garment at the height of a pair of points.
+  double Width(const std::string& base) const { return WidthAtPixel(Middle(base + "_L", base + "_R")); }
+  double WidthAtPixel(const Eigen::Vector2d& place) const {
+    return WidthAt(kind_, view_, place) * view_.metre_per_pixel;
+  }
+  double Chest() const {
+    const Eigen::Vector2d underarm = Middle("underarm_L", "underarm_R"), hem = Middle("hem_L", "hem_R");
+    return WidthAtPixel(underarm + kChestBelowUnderarm / view_.metre_per_pixel * (hem - underarm).normalized());
+  }
+  double Path(std::initializer_list<std::string_view> names) const {
+    double length = 0.0;
+    for (const std::string_view* name = names.begin(); name + 1 < names.end(); ++name) {
+      length += Distance(name[0], name[1]);
+    }
+    return length;
+  }
+  double Length() const {
+    const GarmentFrame frame = FrameOf(kind_, view_.points);
+    return (frame.lower - frame.upper).norm() * view_.metre_per_pixel;
+  }
+
+ private:
+  GarmentKind kind_;
+  const GarmentView& view_;
+};
+
+std::vector<GarmentMeasure> MeasureSleeves(GarmentKind kind, const Ruler& front) {
+  const bool is_dress = IsDress(kind);
+  const char* const tip_left = is_dress ? "e2" : "e3";
+  const char* const tip_right = is_dress ? "e6" : "e7";
+  const char* const top_left = is_dress ? "sleeve_top_L" : "e4";
+  const char* const top_right = is_dress ? "sleeve_top_R" : "e8";
+  return {{"sleeve_length", 0.5 * (front.Distance(tip_left, top_left) + front.Distance(tip_right, top_right))},
+          {"sleeve_opening",
+           0.5 * (front.Distance(top_left, "sleeve_bottom_L") + front.Distance(top_right, "sleeve_bottom_R"))}};
 }
 
-double Distance(const GarmentView& view, const char* a, const char* b) {
-  return (At(view, a) - At(view, b)).norm() * view.metre_per_pixel;
+std::vector<GarmentMeasure> MeasureTorso(GarmentKind kind, const GarmentView& front_view, const GarmentView* back) {
+  const Ruler front(kind, front_view);
+  const bool is_dress = IsDress(kind);
+  std::vector<GarmentMeasure> measures = {
+      {"shoulder_width", is_dress ? front.Distance("e2", "e6") : front.Distance("e3", "e7")},
+      {"chest_width", front.Chest()},
+      {"waist_width", front.Width("waist")},
+      {"hip_width", front.Width("hip")},
+      {"hem_width", front.Distance("hem_L", "hem_R")}};
+  if (HasSleeves(kind)) {
+    for (GarmentMeasure& measure : MeasureSleeves(kind, front)) measures.push_back(std::move(measure));
+  }
+  measures.push_back({"neck_width", front.Distance("P1", "P2")});
+  measures.push_back({"front_length", front.Length()});
+  if (back != nullptr) measures.push_back({"back_length", Ruler(kind, *back).Length()});
+  return measures;
 }
 
-double Length(const GarmentView& view) {
-  const Eigen::Vector2d neck = 0.5 * (At(view, "P1") + At(view, "P2"));
-  const Eigen::Vector2d hem = 0.5 * (At(view, "hem_L") + At(view, "hem_R"));
-  return (hem - neck).norm() * view.metre_per_pixel;
+std::vector<GarmentMeasure> MeasureSkirt(const GarmentView& view) {
+  const Ruler front(GarmentKind::kSkirt, view);
+  return {{"waist_width", front.Distance("e1", "e3")},
+          {"hip_width", front.Width("hip")},
+          {"hem_width", front.Distance("e2", "e4")},
+          {"length", front.Length()}};
+}
+
+std::vector<GarmentMeasure> MeasureTrousers(GarmentKind kind, const GarmentView& view) {
+  const Ruler front(kind, view);
+  const double knee =
+      0.5 * (front.Distance("knee_outer_L", "knee_inner_L") + front.Distance("knee_outer_R", "knee_inner_R"));
+  const double hem = 0.5 * (front.Distance("e2", "hem_inner_L") + front.Distance("e4", "hem_inner_R"));
+  const double inseam = 0.5 * (front.Path({"crotch", "thigh_inner_L", "knee_inner_L", "hem_inner_L"}) +
+                               front.Path({"crotch", "thigh_inner_R", "knee_inner_R", "hem_inner_R"}));
+  return {{"waist_width", front.Distance("e1", "e3")},
+          {"hip_width", front.Width("hip")},
+          {"thigh_width", 0.0, Provenance::kUnknown},
+          {"knee_width", knee},
+          {"hem_width", hem},
+          {"front_rise", 0.0, Provenance::kUnknown},
+          {"back_rise", 0.0, Provenance::kUnknown},
+          {"inseam", inseam},
+          {"length", front.Length()}};
 }
 
 }  // namespace
 
-double WidthAt(const GarmentView& view, const Eigen::Vector2d& place) {
-  const Eigen::Vector2d neck = 0.5 * (At(view, "P1") + At(view, "P2"));
-  const Eigen::Vector2d hem = 0.5 * (At(view, "hem_L") + At(view, "hem_R"));
-  const Eigen::Vector2d down = (hem - neck).normalized();
-  const Eigen::Vector2d right(down.y(), -down.x());
+double WidthAt(GarmentKind kind, const GarmentView& view, const Eigen::Vector2d& place) {
+  const GarmentFrame frame = FrameOf(kind, view.points);
   // Crossings of the line with the outline; the piece that holds the garment's middle is the body, others are sleeves.
-  const double level = (place - neck).dot(down);
+  const double level = (place - frame.upper).dot(frame.down);
   std::vector<double> crossings;
   for (size_t i = 0; i < view.outline.size(); ++i) {
-    const Eigen::Vector2d a = view.outline[i] - neck;
-    const Eigen::Vector2d b = view.outline[(i + 1) % view.outline.size()] - neck;
-    const double level_a = a.dot(down) - level;
-    const double level_b = b.dot(down) - level;
+    const Eigen::Vector2d a = view.outline[i] - frame.upper;
+    const Eigen::Vector2d b = view.outline[(i + 1) % view.outline.size()] - frame.upper;
+    const double level_a = a.dot(frame.down) - level;
+    const double level_b = b.dot(frame.down) - level;
     if ((level_a < 0) == (level_b < 0)) continue;
     const double t = level_a / (level_a - level_b);
-    crossings.push_back((a + t * (b - a)).dot(right));
+    crossings.push_back((a + t * (b - a)).dot(frame.right));
   }
   std::sort(crossings.begin(), crossings.end());
   for (size_t i = 0; i + 1 < crossings.size(); i += 2) {
@@ -54,30 +132,10 @@ double WidthAt(const GarmentView& view, const Eigen::Vector2d& place) {
   return 0.0;
 }
 
-std::vector<GarmentMeasure> MeasureTop(const GarmentView& front, const GarmentView* back) {
-  const auto width_at = [&](const Eigen::Vector2d& place) { return WidthAt(front, place) * front.metre_per_pixel; };
-  const auto middle = [&](const char* a, const char* b) {
-    return Eigen::Vector2d(0.5 * (At(front, a) + At(front, b)));
-  };
-  const Eigen::Vector2d underarm = middle("underarm_L", "underarm_R");
-  const Eigen::Vector2d hem = middle("hem_L", "hem_R");
-  const Eigen::Vector2d chest = underarm + kChestBelowUnderarm / front.metre_per_pixel * (hem - underarm).normalized();
-  const double sleeve_length = 0.5 * (Distance(front, "e3", "e4") + Distance(front, "e7", "e8"));
-  const double sleeve_opening =
-      0.5 * (Distance(front, "e4", "sleeve_bottom_L") + Distance(front, "e8", "sleeve_bottom_R"));
-  std::vector<GarmentMeasure> measures = {
-      {"shoulder_width", Distance(front, "e3", "e7")},
-      {"chest_width", width_at(chest)},
-      {"waist_width", width_at(middle("waist_L", "waist_R"))},
-      {"hip_width", width_at(middle("hip_L", "hip_R"))},
-      {"hem_width", Distance(front, "hem_L", "hem_R")},
-      {"sleeve_length", sleeve_length},
-      {"sleeve_opening", sleeve_opening},
-      {"neck_width", Distance(front, "P1", "P2")},
-      {"front_length", Length(front)},
-  };
-  if (back != nullptr) measures.push_back({"back_length", Length(*back)});
-  return measures;
+std::vector<GarmentMeasure> MeasureGarment(GarmentKind kind, const GarmentView& front, const GarmentView* back) {
+  if (kind == GarmentKind::kSkirt) return MeasureSkirt(front);
+  if (HasLegs(kind)) return MeasureTrousers(kind, front);
+  return MeasureTorso(kind, front, back);
 }
 
 }  // namespace fitroom::shop_catalog

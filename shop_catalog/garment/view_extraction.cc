@@ -9,6 +9,7 @@
 #include "common/garment/validate.h"
 #include "common/image/decode.h"
 #include "shop_catalog/garment/cv_image.h"
+#include "shop_catalog/garment/kind_frame.h"
 #include "shop_catalog/garment/neckline.h"
 #include "shop_catalog/garment/outline.h"
 #include "shop_catalog/garment/segmentation.h"
@@ -192,6 +193,11 @@ Status ApplyAnnotation(const std::vector<OutlinePoint>& annotation, double scale
   view.points = annotation;
   for (OutlinePoint& point : view.points) point.pixel *= scale;
   FR_RETURN_IF_ERROR(ValidatePoints(kind, view));
+  extraction.length_px = LengthInPixels(kind, view.points);
+  if (!HasNeck(kind)) {
+    view.outline = silhouette;
+    return {};
+  }
   const TopCorners corners = CornersOfPoints(view.points, view.side);
   Neckline neckline = SilhouetteNeckline(silhouette, corners);
   if (view.side == GarmentSide::kFront) {
@@ -202,7 +208,6 @@ Status ApplyAnnotation(const std::vector<OutlinePoint>& annotation, double scale
   if (view.outline.empty()) {
     return InvalidArgument("POINT_OFF_OUTLINE", "P1, P2 and neck_drop do not fit the garment's outline; check them");
   }
-  extraction.length_px = LengthInPixels(corners);
   return {};
 }
 

@@ -63,10 +63,10 @@ TEST(FindTopCorners, OtherShapesCostMore) {
 }
 
 // The sample's corners are round numbers: half widths of 240 (chest, hem), 80 (neck), 210 (shoulders) millimetres.
-TEST(MeasureTop, AgreesWithTheSamplesCoordinates) {
+TEST(MeasureGarment, AgreesWithTheSamplesCoordinates) {
   const Garment garment = testing::MakeSampleTShirt();
   std::map<std::string, double> measures;
-  for (const GarmentMeasure& measure : MeasureTop(garment.front, &*garment.back))
+  for (const GarmentMeasure& measure : MeasureGarment(GarmentKind::kTShirt, garment.front, &*garment.back))
     measures[measure.name] = measure.value;
   EXPECT_NEAR(measures.at("neck_width"), 0.160, 1e-9);
   EXPECT_NEAR(measures.at("shoulder_width"), 0.420, 1e-9);

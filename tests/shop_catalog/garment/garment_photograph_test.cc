@@ -1,4 +1,4 @@
-#include "shop_catalog/garment/tshirt_photograph.h"
+#include "shop_catalog/garment/garment_photograph.h"
 
 #include <cmath>
 #include <limits>
@@ -11,18 +11,19 @@
 
 #include "common/garment/garment_json.h"
 #include "common/image/encode.h"
+#include "shop_catalog/garment/drawn_sizes.h"
 #include "shop_catalog/garment/extract_garment.h"
 
 namespace fitroom::shop_catalog {
 namespace {
 
-TShirtPhotograph Draw(GarmentSide side, const TShirtPhotographOptions& options) {
-  Result<TShirtPhotograph> photograph = DrawTShirtPhotograph(side, options);
+GarmentPhotograph Draw(GarmentSide side, const PhotographOptions& options) {
+  Result<GarmentPhotograph> photograph = DrawGarmentPhotograph(side, options);
   EXPECT_TRUE(photograph.ok()) << photograph.status().ToString();
   return std::move(photograph).value();
 }
 
-std::map<std::string, Eigen::Vector2d> ByName(const TShirtPhotograph& photograph) {
+std::map<std::string, Eigen::Vector2d> ByName(const GarmentPhotograph& photograph) {
   std::map<std::string, Eigen::Vector2d> points;
   for (const OutlinePoint& point : photograph.points) points[point.name] = point.pixel;
   return points;
@@ -40,18 +41,19 @@ Eigen::Vector3d ColourAt(const Image& image, const Eigen::Vector2d& pixel) {
   return sum / 49.0;
 }
 
-TShirtPhotographOptions Small(TShirtDesign design) {
-  TShirtPhotographOptions options;
+PhotographOptions Small(TopDesign design) {
+  PhotographOptions options;
   options.design = design;
   options.image_side = 600;
+  options.measures = DrawnMeasures(options.kind, BodyGirths(), ForkRule::kTrouser);
   return options;
 }
 
-TEST(TShirtPhotograph, HasTheTwentyTwoPointsAsAnAnnotation) {
-  const TShirtPhotograph front = Draw(GarmentSide::kFront, Small(TShirtDesign::kHeather));
-  const TShirtPhotograph back = Draw(GarmentSide::kBack, Small(TShirtDesign::kHeather));
+TEST(GarmentPhotograph, HasTheTwentyTwoPointsAsAnAnnotation) {
+  const GarmentPhotograph front = Draw(GarmentSide::kFront, Small(TopDesign::kHeather));
+  const GarmentPhotograph back = Draw(GarmentSide::kBack, Small(TopDesign::kHeather));
   const Result<PointAnnotation> annotation =
-      PointAnnotationFromJson(AnnotationAsJson(front, back), GarmentKind::kTShirt);
+      PointAnnotationFromJson(TruthAsJson({&front, &back, nullptr, {}}), GarmentKind::kTShirt);
   ASSERT_TRUE(annotation.ok()) << annotation.status().ToString();
   EXPECT_EQ(annotation->front.size(), 22u);
   EXPECT_EQ(annotation->back.size(), 22u);
@@ -60,27 +62,28 @@ TEST(TShirtPhotograph, HasTheTwentyTwoPointsAsAnAnnotation) {
   EXPECT_LT(ByName(back).at("hem_L").x(), ByName(back).at("hem_R").x());
 }
 
-TEST(TShirtPhotograph, IsDrawnToScale) {
-  TShirtPhotographOptions options = Small(TShirtDesign::kStriped);
-  options.measures = {.length = 0.72, .chest = 0.55, .sleeve = 0.18};
+TEST(GarmentPhotograph, IsDrawnToScale) {
+  PhotographOptions options = Small(TopDesign::kStriped);
+  options.measures = DrawnMeasures(options.kind, {.bust = 104, .waist = 88, .hip = 106}, ForkRule::kTrouser);
+  const auto measure = [&](const char* name) { return FindMeasure(options.measures, name)->value; };
   for (const GarmentSide side : {GarmentSide::kFront, GarmentSide::kBack}) {
-    const TShirtPhotograph photograph = Draw(side, options);
+    const GarmentPhotograph photograph = Draw(side, options);
     const auto points = ByName(photograph);
     const auto length = [&](const char* a, const char* b) {
       return photograph.metre_per_pixel * (points.at(a) - points.at(b)).norm();
     };
     // Edges wave by some millimetres.
-    EXPECT_NEAR(length("underarm_L", "underarm_R"), 0.55, 0.006);
-    EXPECT_NEAR(length("e3", "e4"), 0.18, 0.006);
+    EXPECT_NEAR(length("underarm_L", "underarm_R"), measure("chest_width"), 0.006);
+    EXPECT_NEAR(length("e3", "e4"), measure("sleeve_length"), 0.006);
     const Eigen::Vector2d neck = 0.5 * (points.at("P1") + points.at("P2"));
     const Eigen::Vector2d hem = 0.5 * (points.at("hem_L") + points.at("hem_R"));
-    EXPECT_NEAR(photograph.metre_per_pixel * (neck - hem).norm(), 0.72, 0.008);
+    EXPECT_NEAR(photograph.metre_per_pixel * (neck - hem).norm(), measure("front_length"), 0.008);
   }
 }
 
-TEST(TShirtPhotograph, ShowsClothInsideTheOutlineAndGroundOutside) {
-  for (const TShirtDesign design : {TShirtDesign::kHeather, TShirtDesign::kStriped}) {
-    const TShirtPhotograph photograph = Draw(GarmentSide::kFront, Small(design));
+TEST(GarmentPhotograph, ShowsClothInsideTheOutlineAndGroundOutside) {
+  for (const TopDesign design : {TopDesign::kHeather, TopDesign::kStriped}) {
+    const GarmentPhotograph photograph = Draw(GarmentSide::kFront, Small(design));
     const auto points = ByName(photograph);
     const Eigen::Vector3d ground = ColourAt(photograph.image, {20, 20});
     const std::vector<std::pair<const char*, const char*>> corners_towards = {
@@ -95,11 +98,11 @@ TEST(TShirtPhotograph, ShowsClothInsideTheOutlineAndGroundOutside) {
 }
 
 // A mirrored or swapped texture must be seen: the front differs from the back and from its own mirror image.
-TEST(TShirtPhotograph, TellsFrontFromBackAndLeftFromRight) {
-  for (const TShirtDesign design : {TShirtDesign::kHeather, TShirtDesign::kStriped}) {
-    const TShirtPhotograph front = Draw(GarmentSide::kFront, Small(design));
-    const TShirtPhotograph back = Draw(GarmentSide::kBack, Small(design));
-    const auto difference = [](const TShirtPhotograph& a, const TShirtPhotograph& b, bool mirrored) {
+TEST(GarmentPhotograph, TellsFrontFromBackAndLeftFromRight) {
+  for (const TopDesign design : {TopDesign::kHeather, TopDesign::kStriped}) {
+    const GarmentPhotograph front = Draw(GarmentSide::kFront, Small(design));
+    const GarmentPhotograph back = Draw(GarmentSide::kBack, Small(design));
+    const auto difference = [](const GarmentPhotograph& a, const GarmentPhotograph& b, bool mirrored) {
       const auto pa = ByName(a), pb = ByName(b);
       const auto place = [](const std::map<std::string, Eigen::Vector2d>& p, double u, double v) -> Eigen::Vector2d {
         const bool left_is_r = p.at("hem_R").x() < p.at("hem_L").x();
@@ -123,50 +126,52 @@ TEST(TShirtPhotograph, TellsFrontFromBackAndLeftFromRight) {
   }
 }
 
-TEST(TShirtPhotograph, SameSeedSamePicture) {
-  TShirtPhotographOptions options = Small(TShirtDesign::kHeather);
-  const TShirtPhotograph first = Draw(GarmentSide::kFront, options), again = Draw(GarmentSide::kFront, options);
+TEST(GarmentPhotograph, SameSeedSamePicture) {
+  PhotographOptions options = Small(TopDesign::kHeather);
+  const GarmentPhotograph first = Draw(GarmentSide::kFront, options), again = Draw(GarmentSide::kFront, options);
   options.seed = 2;
-  const TShirtPhotograph other = Draw(GarmentSide::kFront, options);
+  const GarmentPhotograph other = Draw(GarmentSide::kFront, options);
   EXPECT_EQ(first.image.pixels, again.image.pixels);
   EXPECT_NE(first.image.pixels, other.image.pixels);
 }
 
-TEST(TShirtPhotograph, RefusesMeasuresAndNamesTheOption) {
-  const auto refused = [](const TShirtMeasures& measures, int side, const char* reason, const char* named) {
-    TShirtPhotographOptions options;
-    options.measures = measures;
+TEST(GarmentPhotograph, RefusesMeasuresAndNamesThem) {
+  const auto refused = [](const char* name, double value, int side, const char* reason, const char* named) {
+    PhotographOptions options = Small(TopDesign::kHeather);
+    for (GarmentMeasure& measure : options.measures) {
+      if (measure.name == name) measure.value = value;
+    }
     options.image_side = side;
-    const Result<TShirtPhotograph> photograph = DrawTShirtPhotograph(GarmentSide::kFront, options);
+    const Result<GarmentPhotograph> photograph = DrawGarmentPhotograph(GarmentSide::kFront, options);
     ASSERT_FALSE(photograph.ok());
     EXPECT_EQ(photograph.status().code(), StatusCode::kInvalidArgument);
     EXPECT_EQ(photograph.status().reason(), reason);
     EXPECT_NE(photograph.status().message().find(named), std::string::npos) << photograph.status().message();
   };
-  refused({.length = 2.0}, 600, "MEASURE_OUT_OF_RANGE", "--length-cm");
-  refused({.chest = 0.1}, 600, "MEASURE_OUT_OF_RANGE", "--chest-cm");
-  refused({.sleeve = std::numeric_limits<double>::quiet_NaN()}, 600, "MEASURE_OUT_OF_RANGE", "--sleeve-cm");
-  refused({}, 5, "IMAGE_SIDE_OUT_OF_RANGE", "--image-side");
+  refused("front_length", 2.0, 600, "MEASURE_OUT_OF_RANGE", "front_length");
+  refused("chest_width", 0.1, 600, "MEASURE_OUT_OF_RANGE", "chest_width");
+  refused("sleeve_length", std::numeric_limits<double>::quiet_NaN(), 600, "MEASURE_OUT_OF_RANGE", "sleeve_length");
+  refused("", 0.0, 5, "IMAGE_SIDE_OUT_OF_RANGE", "--image-side");
 }
 
-class DrawnTShirt : public ::testing::TestWithParam<TShirtDesign> {};
+class DrawnTShirt : public ::testing::TestWithParam<TopDesign> {};
 
 // Extraction knows nothing of how the picture was made. Corners come back within 1.2 cm; points that are defined by a
 // part of the way along an edge within 2 cm.
 TEST_P(DrawnTShirt, ExtractionFindsTheTruth) {
-  TShirtPhotographOptions options;
-  options.design = GetParam();
-  const TShirtPhotograph front = Draw(GarmentSide::kFront, options), back = Draw(GarmentSide::kBack, options);
+  PhotographOptions options = Small(GetParam());
+  options.image_side = 1200;
+  const GarmentPhotograph front = Draw(GarmentSide::kFront, options), back = Draw(GarmentSide::kBack, options);
   const std::string front_bytes = EncodePng(front.image), back_bytes = EncodePng(back.image);
   ExtractionRequest request;
   request.id = "drawn";
-  request.length = options.measures.length;
+  request.length = FindMeasure(options.measures, "front_length")->value;
   request.front_photo = front_bytes;
   request.back_photo = back_bytes;
   const Result<GarmentExtraction> extraction = ExtractGarment(request);
   ASSERT_TRUE(extraction.ok()) << extraction.status().ToString();
   ASSERT_TRUE(extraction->garment.back.has_value());
-  const auto check = [](const GarmentView& view, const TShirtPhotograph& photograph) {
+  const auto check = [](const GarmentView& view, const GarmentPhotograph& photograph) {
     ASSERT_EQ(view.image_width, photograph.image.width);
     EXPECT_NEAR(view.metre_per_pixel / photograph.metre_per_pixel, 1.0, 0.01);
     for (const auto& [name, truth] : ByName(photograph)) {
@@ -181,7 +186,7 @@ TEST_P(DrawnTShirt, ExtractionFindsTheTruth) {
   check(*extraction->garment.back, back);
 }
 
-INSTANTIATE_TEST_SUITE_P(Designs, DrawnTShirt, ::testing::Values(TShirtDesign::kHeather, TShirtDesign::kStriped));
+INSTANTIATE_TEST_SUITE_P(Designs, DrawnTShirt, ::testing::Values(TopDesign::kHeather, TopDesign::kStriped));
 
 }  // namespace
 }  // namespace fitroom::shop_catalog

@@ -10,7 +10,7 @@
 
 #include "common/image/image.h"
 #include "shop_catalog/garment/cloth_texture.h"
-#include "shop_catalog/garment/tshirt_shape.h"
+#include "shop_catalog/garment/flat_curve.h"
 
 namespace fitroom::shop_catalog {
 
@@ -18,7 +18,7 @@ using Rgb = Eigen::Vector3f;  // Linear in the pixel's value, 0 to 255.
 
 // A photograph in the making. Shapes are given on the flat garment (FlatCurve, centimetre); the canvas knows how the
 // garment lies in the picture, crumples it a little and shades everything that is cloth by its folds. Not thread-safe.
-class TShirtCanvas {
+class GarmentCanvas {
  public:
   // How the garment lies in the picture.
   struct Lie {
@@ -31,7 +31,7 @@ class TShirtCanvas {
   // The colour of cloth at a place on the flat garment (unit: centimetre).
   using Cloth = std::function<Rgb(const Eigen::Vector2d& place)>;
 
-  TShirtCanvas(int side, const Lie& lie, uint64_t seed);
+  GarmentCanvas(int side, const Lie& lie, uint64_t seed);
 
   const Lie& lie() const { return lie_; }
   // Returns where a place on the flat garment is seen (unit: pixel, centres at +0.5).

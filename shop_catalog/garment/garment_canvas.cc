@@ -1,4 +1,4 @@
-#include "shop_catalog/garment/tshirt_canvas.h"
+#include "shop_catalog/garment/garment_canvas.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +36,7 @@ void Multiply(cv::Mat& picture, const cv::Mat& factor) {
 
 }  // namespace
 
-TShirtCanvas::TShirtCanvas(int side, const Lie& lie, uint64_t seed)
+GarmentCanvas::GarmentCanvas(int side, const Lie& lie, uint64_t seed)
     : side_(side),
       lie_(lie),
       seed_(seed),
@@ -45,18 +45,18 @@ TShirtCanvas::TShirtCanvas(int side, const Lie& lie, uint64_t seed)
       shade_(side, side, CV_32F, cv::Scalar(1.0)),
       fibres_(FibreNoise(cv::Size(side, side), seed + 101)) {}
 
-Vector2d TShirtCanvas::Crumple(const Vector2d& place) const {
+Vector2d GarmentCanvas::Crumple(const Vector2d& place) const {
   return kCrumple * Vector2d(std::sin(0.19 * place.y() + 0.07 * place.x() + lie_.crumple_phase[0]),
                              std::sin(0.17 * place.x() - 0.05 * place.y() + lie_.crumple_phase[1]));
 }
 
-Vector2d TShirtCanvas::Pixel(const Vector2d& place) const {
+Vector2d GarmentCanvas::Pixel(const Vector2d& place) const {
   const Vector2d offset = lie_.pixels_per_cm * (place + Crumple(place) - lie_.flat_middle);
   const double c = std::cos(lie_.tilt), s = std::sin(lie_.tilt);
   return lie_.middle + Vector2d(c * offset.x() - s * offset.y(), s * offset.x() + c * offset.y());
 }
 
-Vector2d TShirtCanvas::Place(const Vector2d& pixel) const {
+Vector2d GarmentCanvas::Place(const Vector2d& pixel) const {
   const Vector2d offset = (pixel - lie_.middle) / lie_.pixels_per_cm;
   const double c = std::cos(lie_.tilt), s = std::sin(lie_.tilt);
   const Vector2d crumpled =
@@ -65,7 +65,7 @@ Vector2d TShirtCanvas::Place(const Vector2d& pixel) const {
   return crumpled - Crumple(crumpled - Crumple(crumpled));
 }
 
-cv::Mat TShirtCanvas::Coverage(const FlatCurve& outline) const {
+cv::Mat GarmentCanvas::Coverage(const FlatCurve& outline) const {
   std::vector<Vector2d> pixels;
   pixels.reserve(outline.size());
   for (const Vector2d& place : outline) pixels.push_back(Pixel(place));
@@ -76,7 +76,7 @@ cv::Mat TShirtCanvas::Coverage(const FlatCurve& outline) const {
   return coverage;
 }
 
-cv::Mat TShirtCanvas::StrokeCoverage(const std::vector<FlatCurve>& curves, double width_cm) const {
+cv::Mat GarmentCanvas::StrokeCoverage(const std::vector<FlatCurve>& curves, double width_cm) const {
   std::vector<std::vector<cv::Point>> lines;
   for (const FlatCurve& curve : curves) {
     std::vector<Vector2d> pixels;
@@ -91,7 +91,7 @@ cv::Mat TShirtCanvas::StrokeCoverage(const std::vector<FlatCurve>& curves, doubl
   return coverage;
 }
 
-void TShirtCanvas::LayGround(const Rgb& colour) {
+void GarmentCanvas::LayGround(const Rgb& colour) {
   picture_.setTo(cv::Scalar(colour.x(), colour.y(), colour.z()));
   const cv::Size size(side_, side_);
   cv::Mat light(size, CV_32F);
@@ -106,7 +106,7 @@ void TShirtCanvas::LayGround(const Rgb& colour) {
   Multiply(picture_, light);
 }
 
-void TShirtCanvas::CastShadow(const FlatCurve& outline) {
+void GarmentCanvas::CastShadow(const FlatCurve& outline) {
   const cv::Mat cover = Coverage(outline);
   const double cm = lie_.pixels_per_cm;
   cv::Mat contact, wide;
@@ -118,9 +118,9 @@ void TShirtCanvas::CastShadow(const FlatCurve& outline) {
   Multiply(picture_, 1.0 - 0.22 * contact - 0.20 * wide);
 }
 
-void TShirtCanvas::SetClip(const FlatCurve& outline) { clip_ = Coverage(outline); }
+void GarmentCanvas::SetClip(const FlatCurve& outline) { clip_ = Coverage(outline); }
 
-void TShirtCanvas::SetFolds(const std::vector<Fold>& folds) {
+void GarmentCanvas::SetFolds(const std::vector<Fold>& folds) {
   const double c = std::cos(lie_.tilt) / lie_.pixels_per_cm, s = std::sin(lie_.tilt) / lie_.pixels_per_cm;
   const Vector2d origin =
       lie_.flat_middle - Vector2d(c * lie_.middle.x() + s * lie_.middle.y(), c * lie_.middle.y() - s * lie_.middle.x());
@@ -128,7 +128,7 @@ void TShirtCanvas::SetFolds(const std::vector<Fold>& folds) {
   shade_ = ShadeFolds(folds, cm_from_pixel, cv::Size(side_, side_), seed_ + 31);
 }
 
-void TShirtCanvas::FillCloth(const FlatCurve& outline, const Cloth& cloth, double mottle, double light) {
+void GarmentCanvas::FillCloth(const FlatCurve& outline, const Cloth& cloth, double mottle, double light) {
   const cv::Mat cover = cv::min(Coverage(outline), clip_);
   for (int y = 0; y < side_; ++y) {
     cv::Vec3f* row = picture_.ptr<cv::Vec3f>(y);
@@ -144,18 +144,18 @@ void TShirtCanvas::FillCloth(const FlatCurve& outline, const Cloth& cloth, doubl
   }
 }
 
-void TShirtCanvas::FillInk(const FlatCurve& outline, const Rgb& colour, double opacity) {
+void GarmentCanvas::FillInk(const FlatCurve& outline, const Rgb& colour, double opacity) {
   FillCloth(
       outline, [&colour](const Vector2d&) { return colour; }, 0.02 * opacity);
 }
 
-void TShirtCanvas::DrawSeams(const std::vector<FlatCurve>& curves, double width_cm, double darkness) {
+void GarmentCanvas::DrawSeams(const std::vector<FlatCurve>& curves, double width_cm, double darkness) {
   cv::Mat stroke = StrokeCoverage(curves, width_cm);
   cv::GaussianBlur(stroke, stroke, cv::Size(0, 0), std::max(0.6, 0.5 * width_cm * lie_.pixels_per_cm));
   Multiply(picture_, 1.0 - darkness * stroke.mul(clip_));
 }
 
-void TShirtCanvas::DrawStitches(const FlatCurve& curve, const Rgb& colour, double stitch_cm, double width_cm) {
+void GarmentCanvas::DrawStitches(const FlatCurve& curve, const Rgb& colour, double stitch_cm, double width_cm) {
   // A stitch covers 60 % of its length.
   constexpr double kStep = 0.05;  // (unit: centimetre)
   std::vector<FlatCurve> stitches(1);
@@ -184,7 +184,7 @@ void TShirtCanvas::DrawStitches(const FlatCurve& curve, const Rgb& colour, doubl
   }
 }
 
-Image TShirtCanvas::Develop() {
+Image GarmentCanvas::Develop() {
   cv::GaussianBlur(picture_, picture_, cv::Size(0, 0), 0.55);
   const cv::Mat grain = WhiteNoise(picture_.size(), seed_ + 977);
   std::vector<cv::Mat> channels;

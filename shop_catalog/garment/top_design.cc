@@ -1,8 +1,7 @@
-#include "shop_catalog/garment/tshirt_design.h"
+#include "shop_catalog/garment/garment_design.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace fitroom::shop_catalog {
@@ -18,9 +17,9 @@ struct Palette {
   double mottle = 0.02;
 };
 
-Palette PaletteOf(const TShirtPhotographOptions& options) {
+Palette PaletteOf(const PhotographOptions& options) {
   Palette palette;
-  if (options.design == TShirtDesign::kHeather) {
+  if (options.design == TopDesign::kHeather) {
     palette = {Rgb(104, 132, 146),
                Rgb(104, 132, 146),
                Rgb(92, 119, 133),
@@ -39,62 +38,15 @@ Palette PaletteOf(const TShirtPhotographOptions& options) {
   }
   if (options.colour) {
     palette.cloth = Rgb((*options.colour)[0], (*options.colour)[1], (*options.colour)[2]);
-    if (options.design == TShirtDesign::kHeather) palette.second = palette.cloth;
+    if (options.design == TopDesign::kHeather) palette.second = palette.cloth;
     palette.rib = 0.9F * palette.cloth;
     palette.thread = 0.72F * palette.cloth;
   }
   return palette;
 }
 
-FlatCurve Mirror(const FlatCurve& curve) {
-  FlatCurve mirrored = curve;
-  for (Vector2d& point : mirrored) point.x() = -point.x();
-  return mirrored;
-}
-
-// Returns the curve moved by `distance` to its right, seen in its direction (y down: below a curve that runs to the
-// image's right).
-FlatCurve Offset(const FlatCurve& curve, double distance) {
-  FlatCurve moved;
-  for (size_t i = 0; i < curve.size(); ++i) {
-    const Vector2d along = (curve[std::min(i + 1, curve.size() - 1)] - curve[i > 0 ? i - 1 : 0]).normalized();
-    moved.push_back(curve[i] + distance * Vector2d(-along.y(), along.x()));
-  }
-  return moved;
-}
-
-// Returns the closed shape between two curves that run the same way.
-FlatCurve Between(const FlatCurve& a, const FlatCurve& b) {
-  FlatCurve shape = a;
-  shape.insert(shape.end(), b.rbegin(), b.rend());
-  return shape;
-}
-
-FlatCurve Circle(const Vector2d& centre, double radius) {
-  FlatCurve circle;
-  for (int i = 0; i < 96; ++i) {
-    circle.push_back(
-        centre + radius * Vector2d(std::cos(i * 2 * std::numbers::pi / 96), std::sin(i * 2 * std::numbers::pi / 96)));
-  }
-  return circle;
-}
-
-// Densely sampled, so that the crumpling bends straight edges too.
-FlatCurve Polygonal(const std::vector<Vector2d>& corners) {
-  FlatCurve shape;
-  for (size_t i = 0; i < corners.size(); ++i) {
-    const Vector2d& next = corners[(i + 1) % corners.size()];
-    for (int k = 0; k < 12; ++k) shape.push_back(corners[i] + k / 12.0 * (next - corners[i]));
-  }
-  return shape;
-}
-
-FlatCurve Rectangle(double x, double y, double width, double height) {
-  return Polygonal({{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}});
-}
-
 // Says on which part of the garment a place lies: beyond the armhole is the sleeve.
-bool IsOnSleeve(const TShirtShape& shape, const Vector2d& place) {
+bool IsOnSleeve(const GarmentShape& shape, const Vector2d& place) {
   const Vector2d at(std::abs(place.x()), place.y());
   if (at.y() > shape.armhole.back().y() && at.x() < shape.armhole.back().x()) return false;
   const auto nearest = std::min_element(
@@ -104,9 +56,8 @@ bool IsOnSleeve(const TShirtShape& shape, const Vector2d& place) {
 }
 
 // Stripes run across the trunk and round the sleeves.
-TShirtCanvas::Cloth MakeCloth(const TShirtShape& shape, const TShirtPhotographOptions& options,
-                              const Palette& palette) {
-  if (options.design == TShirtDesign::kHeather) {
+GarmentCanvas::Cloth MakeCloth(const GarmentShape& shape, const PhotographOptions& options, const Palette& palette) {
+  if (options.design == TopDesign::kHeather) {
     return [&palette](const Vector2d&) { return palette.cloth; };
   }
   return [&shape, &palette](const Vector2d& place) -> Rgb {
@@ -126,7 +77,7 @@ TShirtCanvas::Cloth MakeCloth(const TShirtShape& shape, const TShirtPhotographOp
 
 // An emblem that looks different in a mirror: a disc with a steep hill on one side, a sun on the other, and bars that
 // start on the wearer's right.
-void DrawEmblem(const Vector2d& centre, double radius, const Palette& palette, TShirtCanvas& canvas) {
+void DrawEmblem(const Vector2d& centre, double radius, const Palette& palette, GarmentCanvas& canvas) {
   const auto at = [&](double x, double y) -> Vector2d { return centre + radius * Vector2d(x, y); };
   canvas.FillInk(Circle(centre, radius), palette.ink);
   canvas.FillInk(Circle(at(0.36, -0.42), 0.2 * radius), palette.ink_light);
@@ -140,10 +91,10 @@ void DrawEmblem(const Vector2d& centre, double radius, const Palette& palette, T
   canvas.FillInk(Rectangle(centre.x() - radius, centre.y() + 1.66 * radius, 0.8 * radius, bar), palette.ink_light);
 }
 
-void DrawPrint(const TShirtShape& shape, GarmentSide side, const TShirtPhotographOptions& options,
-               const Palette& palette, TShirtCanvas& canvas) {
+void DrawPrint(const GarmentShape& shape, GarmentSide side, const PhotographOptions& options, const Palette& palette,
+               GarmentCanvas& canvas) {
   const double half_chest = shape.armhole.back().x();
-  if (options.design == TShirtDesign::kHeather) {
+  if (options.design == TopDesign::kHeather) {
     if (side == GarmentSide::kFront) {
       DrawEmblem({0.0, shape.armhole.back().y() + 1.0}, 0.33 * half_chest, palette, canvas);
     } else {
@@ -170,7 +121,7 @@ void DrawPrint(const TShirtShape& shape, GarmentSide side, const TShirtPhotograp
 }
 
 // Ribs run across the band.
-void DrawNeckBand(const FlatCurve& neckline, const Palette& palette, double light, TShirtCanvas& canvas) {
+void DrawNeckBand(const FlatCurve& neckline, const Palette& palette, double light, GarmentCanvas& canvas) {
   const FlatCurve seam = Offset(neckline, kBand);
   canvas.FillCloth(
       Between(neckline, seam), [&palette](const Vector2d&) { return palette.rib; }, 0.5 * palette.mottle, light);
@@ -191,20 +142,7 @@ void DrawNeckBand(const FlatCurve& neckline, const Palette& palette, double ligh
   canvas.DrawSeams({neckline}, 0.1, 0.25);
 }
 
-// What is seen of the back's inside through the neck: darker cloth, the band from within, a plain label.
-void DrawInside(const TShirtShape& shape, const Palette& palette, TShirtCanvas& canvas) {
-  canvas.FillCloth(
-      Between(shape.back_neckline, shape.front_neckline), [&palette](const Vector2d&) { return palette.cloth; },
-      palette.mottle, 0.55);
-  const FlatCurve seam = Offset(shape.back_neckline, kBand);
-  canvas.FillCloth(
-      Between(shape.back_neckline, seam), [&palette](const Vector2d&) { return palette.rib; }, 0.02, 0.72);
-  canvas.DrawSeams({seam}, 0.2, 0.4);
-  const double y = seam[seam.size() / 2].y();
-  canvas.FillInk(Rectangle(-1.9, y + 0.1, 3.8, 2.2), Rgb(150, 150, 148));
-}
-
-void DrawSeams(const TShirtShape& shape, const Palette& palette, TShirtCanvas& canvas) {
+void DrawSeams(const GarmentShape& shape, const Palette& palette, GarmentCanvas& canvas) {
   for (const bool mirrored : {false, true}) {
     const auto on_side = [mirrored](const FlatCurve& curve) { return mirrored ? Mirror(curve) : curve; };
     canvas.DrawSeams({on_side(shape.armhole)}, 0.16, 0.30);
@@ -215,23 +153,16 @@ void DrawSeams(const TShirtShape& shape, const Palette& palette, TShirtCanvas& c
     canvas.DrawStitches(on_side(cuff), palette.thread);
     canvas.DrawSeams({on_side(shape.sleeve_end)}, 0.12, 0.3);
   }
-  for (const double up : {kHemHeight, kHemHeight - 0.45}) {
-    FlatCurve row = Offset(shape.hem, -up);
-    for (Vector2d& point : row) point.x() *= 0.992;
-    canvas.DrawStitches(row, palette.thread);
-  }
-  canvas.DrawSeams({Offset(shape.hem, -kHemHeight - 0.15)}, 0.25, 0.14);
-  canvas.DrawSeams({shape.hem}, 0.12, 0.3);
+  DrawHem(shape.hem, kHemHeight, palette.thread, canvas);
 }
 
 }  // namespace
 
-void DrawTShirt(const TShirtShape& shape, GarmentSide side, const TShirtPhotographOptions& options,
-                TShirtCanvas& canvas) {
+void DrawTop(const GarmentShape& shape, GarmentSide side, const PhotographOptions& options, GarmentCanvas& canvas) {
   const Palette palette = PaletteOf(options);
   const bool is_front = side == GarmentSide::kFront;
   const FlatCurve& neckline = is_front ? shape.front_neckline : shape.back_neckline;
-  if (is_front) DrawInside(shape, palette, canvas);
+  if (is_front) DrawInsideOfNeck(shape, palette.cloth, palette.rib, kBand, palette.mottle, canvas);
   // The panel: the outline with its back neckline replaced by this side's.
   FlatCurve panel = neckline;
   panel.insert(panel.end(), shape.outline.begin() + static_cast<std::ptrdiff_t>(shape.back_neckline.size()),
