@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+
+#include "common/body/body.h"
+#include "common/body/plane_section.h"
+
+namespace fitroom {
+
+// Tape girths of a body at places that its own measurements do not hold: the perimeter of the convex hull of a plane
+// section. Refers to the body, which must outlive it and stay unchanged. Safe to read from several threads.
+//
+// Every function returns nothing where the scan lacks the landmark, or where the section is open by more than a tenth
+// of itself.
+class TapeGirths {
+ public:
+  explicit TapeGirths(const Body& body);
+
+  // Round the trunk at a height, arms left out; below the crotch round both legs together (unit: metre).
+  std::optional<double> TrunkAt(double height) const;
+  // Round one leg, or the mean of both, at a height below the crotch.
+  std::optional<double> LegAt(double height) const;
+  // Half way between hip joint and knee at most, just below the crotch: where trousers' thighs are measured.
+  std::optional<GirthMeasurement> Thigh() const;
+  std::optional<GirthMeasurement> Knee() const;
+  // Square to the upper arm, `below_armpit` along it (unit: metre); the mean of both arms, or the one that was found.
+  std::optional<GirthMeasurement> UpperArm(double below_armpit) const;
+  // The straight way between the acromions (unit: metre).
+  std::optional<double> ShoulderBreadth() const;
+
+ private:
+  std::optional<double> LimbGirth(const Eigen::Vector3d& centre, const Eigen::Vector3d& direction, double reach) const;
+
+  const Body& body_;
+  HeightIndex index_;
+};
+
+}  // namespace fitroom
