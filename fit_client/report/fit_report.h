@@ -1,9 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "common/garment/garment.h"
+#include "fit_client/fit/measure/size_verdict.h"
+#include "fit_client/fit/measure/zone_fit.h"
 
 namespace fitroom {
 
@@ -61,6 +66,17 @@ struct StageOutcome {
   int substep_count = 0;
 };
 
+// One garment of several that are worn over each other, the innermost first.
+struct LayerReport {
+  std::string garment;            // Id.
+  std::string kind;               // "pants", …
+  std::string size;               // Of its chart; may be empty.
+  std::string outcome;            // "AT_REST", …
+  std::string verdict;            // "good", "tight", …; empty where it was not judged.
+  double gap_mean = 0.0;          // From what lies under it, the body included (unit: metre).
+  int particle_count_inside = 0;  // In what lies under it.
+};
+
 // How long a part of the whole command took.
 struct StageTime {
   std::string name;      // "read", "body field", "panels", "drape", "pictures", …
@@ -103,7 +119,14 @@ struct FitReport {
   PenetrationSummary penetration;
   StrainSummary strain;
   std::vector<EaseAtPlace> ease;
-  int euler_characteristic = 0;  // Of the sewn garment.
+  std::vector<ZoneFit> zones;          // From AssessFit(); empty: not assessed.
+  std::string fabric;                  // "jersey", …
+  std::optional<SizeVerdict> verdict;  // Of the size that was worn.
+  std::vector<SizeVerdict> sizes;      // Of all sizes of the chart, the smallest first.
+  std::optional<SizeRecommendation> recommendation;
+  std::vector<GarmentMeasure> measures;  // Flat measures with their provenance.
+  std::vector<LayerReport> layers;       // Two or more: garments worn over each other.
+  int euler_characteristic = 0;          // Of the sewn garment.
   int expected_euler_characteristic = 0;
   int boundary_loop_count = 0;  // Openings: neck, hem, two sleeve ends, … 0 when not counted.
   int particle_count = 0;       // Before sewing.

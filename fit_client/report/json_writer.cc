@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "fit_client/report/fit_json.h"
 #include "fit_client/report/fit_report.h"
 
 namespace fitroom {
@@ -126,6 +127,13 @@ std::string WriteJson(const FitReport& report) {
                      {"penetration", PenetrationJson(report.penetration)},
                      {"strain", StrainJson(report.strain)},
                      {"ease", EaseJson(report)},
+                     {"fabric", report.fabric},
+                     {"zones", ZonesJson(report.zones)},
+                     {"verdict", report.verdict ? VerdictJson(*report.verdict) : Json()},
+                     {"sizes", SizesJson(report.sizes)},
+                     {"recommendation", RecommendationJson(report.recommendation)},
+                     {"measures", MeasuresJson(report.measures)},
+                     {"layers", LayersJson(report.layers)},
                      {"mesh", MeshJson(report)},
                      {"substep_count", report.substep_count},
                      {"times", TimesJson(report)},

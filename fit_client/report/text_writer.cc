@@ -1,98 +1,17 @@
 #include <algorithm>
-#include <cmath>
-#include <cstdarg>
 #include <cstddef>
-#include <cstdio>
 
 #include "fit_client/report/fit_report.h"
+#include "fit_client/report/fit_text.h"
+#include "fit_client/report/page.h"
 
 namespace fitroom {
 namespace {
-
-constexpr size_t kColumns = 100;
-constexpr size_t kNameColumns = 16;  // Of the names on the left, indent included.
 
 // Limits that the text judges by; the method asks for them of every garment that is large enough.
 constexpr double kSeamGapLimit = 5e-4;      // (unit: metre)
 constexpr double kPenetrationLimit = 1e-4;  // (unit: metre)
 constexpr double kStrainLimit = 0.05;       // Of the 95th percentile.
-
-// Formats like printf.
-[[gnu::format(printf, 1, 2)]] std::string Format(const char* format, ...) {
-  std::va_list arguments;
-  va_start(arguments, format);
-  char buffer[256];
-  const int length = std::vsnprintf(buffer, sizeof(buffer), format, arguments);
-  va_end(arguments);
-  return std::string(buffer, std::min(static_cast<size_t>(std::max(length, 0)), sizeof(buffer) - 1));
-}
-
-// Returns a number with its unit; a number that is none says so.
-std::string Quantity(double value, int decimals, const char* unit) {
-  if (!std::isfinite(value)) return "unknown";
-  return Format("%.*f %s", decimals, value, unit);
-}
-
-// Returns 12345 as "12,345".
-std::string Count(int64_t value) {
-  std::string digits = std::to_string(value);
-  for (std::ptrdiff_t i = static_cast<std::ptrdiff_t>(digits.size()) - 3; i > (value < 0 ? 1 : 0); i -= 3) {
-    digits.insert(static_cast<size_t>(i), ",");
-  }
-  return digits;
-}
-
-// Returns a string from outside without anything that could steer a terminal.
-std::string Printable(std::string_view text) {
-  std::string clean(text);
-  for (char& c : clean) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
-  }
-  // C1 control characters as UTF-8: 0xC2 0x80 … 0xC2 0x9F.
-  for (size_t i = 0; i + 1 < clean.size(); ++i) {
-    if (clean[i] == '\xC2' && static_cast<unsigned char>(clean[i + 1]) < 0xA0) clean[i] = clean[i + 1] = ' ';
-  }
-  return clean;
-}
-
-// Collects lines: a name on the left, and text that is wrapped beside it.
-class Page {
- public:
-  void Heading(const std::string& text) {
-    if (!text_.empty()) text_ += "\n";
-    text_ += text + "\n";
-  }
-  void Line(const std::string& text) { text_ += text + "\n"; }
-  void Entry(const std::string& name, const std::string& value) {
-    std::string line = "  " + name;
-    line.resize(std::max(line.size() + 2, kNameColumns), ' ');
-    Wrapped(line, Printable(value));
-  }
-  void Bullet(const std::string& text) { Wrapped("  - ", Printable(text)); }
-  std::string text() const { return text_; }
-
- private:
-  // Writes `first` and then the words of `value`, on as many lines as they need.
-  void Wrapped(const std::string& first, const std::string& value) {
-    const std::string indent(first.size(), ' ');
-    std::string line = first;
-    bool line_has_word = false;
-    for (size_t start = 0; start < value.size();) {
-      const size_t end = std::min(value.find(' ', start), value.size());
-      const std::string word = value.substr(start, end - start);
-      if (line_has_word && line.size() + 1 + word.size() > kColumns) {
-        text_ += line + "\n";
-        line = indent;
-        line_has_word = false;
-      }
-      line += (line_has_word ? " " : "") + word;
-      line_has_word = true;
-      start = end + 1;
-    }
-    text_ += line + "\n";
-  }
-  std::string text_;
-};
 
 void WriteWhat(const FitReport& report, Page& page) {
   const std::string title = Printable(report.garment_title.empty() ? report.garment : report.garment_title);
@@ -181,12 +100,14 @@ void WriteCost(const FitReport& report, Page& page) {
 std::string WriteText(const FitReport& report) {
   Page page;
   WriteWhat(report, page);
+  WriteVerdictText(report, page);
   if (!report.warnings.empty()) {
     page.Heading("Take care");
     for (const std::string& warning : report.warnings) page.Bullet(warning);
   }
   WriteHow(report, page);
   WriteEase(report, page);
+  WriteZonesText(report, page);
   WriteChecks(report, page);
   if (!report.notes.empty()) {
     page.Heading("Good to know");

@@ -1,0 +1,73 @@
+#include "fit_client/fit/measure/garment_line.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "tests/fit_client/measure/band_on_cylinder.h"
+
+namespace fitroom {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+TEST(GarmentLine, IsTheFlatGirthAndTheStretchedOne) {
+  for (const double strain : {0.0, 0.08}) {
+    const Band band = MakeBand(0.15, 0.3, strain, 0.0, 0.01);
+    const GarmentLine line = MeasureLine(band.cloth, band.worn, {0.03, 0.03});
+    ASSERT_TRUE(line.found);
+    EXPECT_NEAR(line.flat_girth, 2.0 * kPi * 0.15 / (1.0 + strain), 1e-9);
+    // Chords of a centimetre on a circle of 15 cm are shorter than their arcs by 2e-4 of themselves.
+    EXPECT_NEAR(line.worn_girth, 2.0 * kPi * 0.15, 5e-4);
+    EXPECT_NEAR(line.height, 1.03, 1e-9);
+  }
+}
+
+// However the cloth folds and tilts, the line stays the garment's: a level cut would be longer or shorter.
+TEST(GarmentLine, KeepsItsLengthInFoldsAndOnASlant) {
+  Band band = MakeBand(0.15, 0.3, 0.0, 0.0, 0.01);
+  const double before = MeasureLine(band.cloth, band.worn, {0.0, 0.0}).worn_girth;
+  for (Eigen::Vector3d& place : band.worn) {
+    const Eigen::Vector3d old = place;  // Turned by 25 degrees about x.
+    place.y() = 1.0 + (old.y() - 1.0) * std::cos(0.436) - old.z() * std::sin(0.436);
+    place.z() = (old.y() - 1.0) * std::sin(0.436) + old.z() * std::cos(0.436);
+  }
+  EXPECT_NEAR(MeasureLine(band.cloth, band.worn, {0.0, 0.0}).worn_girth, before, 1e-9);
+}
+
+TEST(GarmentLine, IsFoundWhereItLiesWhenWorn) {
+  Band band = MakeBand(0.15, 0.3, 0.0, -0.1, 0.01);  // A tenth shorter when worn.
+  const std::optional<LineHeights> heights = FindLineAt(band.cloth, band.worn, 1.045);
+  ASSERT_TRUE(heights);
+  EXPECT_NEAR((*heights)[0], 0.05, 1e-9);
+  EXPECT_NEAR((*heights)[1], 0.05, 1e-9);
+  EXPECT_FALSE(FindLineAt(band.cloth, band.worn, 1.2));
+  EXPECT_FALSE(FindLineAt(band.cloth, band.worn, 0.8));
+  EXPECT_FALSE(FindLineAt(band.cloth, {}, 1.0));
+}
+
+TEST(GarmentLine, IsNotFoundWhereTheHemPassesThroughTheHeight) {
+  Band band = MakeBand(0.15, 0.3, 0.0, 0.0, 0.01);
+  for (Eigen::Vector3d& place : band.worn) place.y() += 0.6 * place.x();
+  EXPECT_TRUE(FindLineAt(band.cloth, band.worn, 1.0));
+  EXPECT_FALSE(FindLineAt(band.cloth, band.worn, 0.80));
+}
+
+TEST(GarmentLine, LeavesSleevesOut) {
+  Band band = MakeBand(0.15, 0.3, 0.0, 0.0, 0.01);
+  for (const Eigen::Vector3d& rest : band.cloth.rest_positions) {
+    band.cloth.left_sleeve_weights.push_back(rest.x() > 0.1 ? 1.0 : 0.0);
+    band.cloth.right_sleeve_weights.push_back(0.0);
+  }
+  const double whole = 2.0 * kPi * 0.15;
+  const double left_out = 2.0 * (0.25 * whole - 0.1);
+  EXPECT_NEAR(MeasureLine(band.cloth, band.worn, {0.0, 0.0}).flat_girth, whole - left_out, 0.025);
+  const GarmentLine sleeve =
+      MeasureSleeve(band.cloth, band.worn, {0.15, 1.0, 0.0}, Eigen::Vector3d::UnitY(), 0.2, true);
+  EXPECT_NEAR(sleeve.flat_girth, left_out, 0.025);
+  EXPECT_FALSE(MeasureSleeve(band.cloth, band.worn, {0.15, 1.0, 0.0}, Eigen::Vector3d::UnitY(), 0.2, false).found);
+}
+
+}  // namespace
+}  // namespace fitroom
