@@ -8,11 +8,11 @@
 
 namespace fitroom {
 
-Result<BodyInput> LoadScan(const std::filesystem::path& file) {
+Result<BodyInput> LoadScan(const std::filesystem::path& file, const FrameOverrides& overrides) {
   BodyInput input;
   input.name = file.filename().string();
   FR_ASSIGN_OR_RETURN(const RawScan scan, ReadScanFile(file));
-  Result<BodyAnalysis> analysis = AnalyseScan(scan.mesh, {});
+  Result<BodyAnalysis> analysis = AnalyseScan(scan.mesh, overrides);
   if (!analysis.ok()) return analysis.status().At(file.string());
   input.body = std::move(analysis->body);
   input.notes = std::move(analysis->frame.reasons);

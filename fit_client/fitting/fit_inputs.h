@@ -6,6 +6,7 @@
 
 #include "common/base/status.h"
 #include "common/body/body.h"
+#include "common/body/body_frame.h"
 #include "common/garment/garment.h"
 #include "common/image/image.h"
 
@@ -25,9 +26,9 @@ struct GarmentInput {
   Image back_texture;  // Empty (width 0) where the garment has no back photograph.
 };
 
-// Reads a scan file and finds frame, landmarks and limbs in it. Fails like ReadScanFile() and AnalyseScan(); the
-// message names the file.
-Result<BodyInput> LoadScan(const std::filesystem::path& file);
+// Reads a scan file and finds frame, landmarks and limbs in it; what the user knows of the frame comes first. Fails
+// like ReadScanFile() and AnalyseScan(); the message names the file.
+Result<BodyInput> LoadScan(const std::filesystem::path& file, const FrameOverrides& overrides = {});
 
 // Reads a garment's folder, as `shop_catalog extract` and `fit_client pull` write it. Fails like ReadGarmentFolder()
 // and ReadGarmentTexture().

@@ -1,0 +1,81 @@
+#include "fit_client/fitting/cut_garment.h"
+
+#include <utility>
+
+#include "fit_client/fit/panels/grade.h"
+#include "fit_client/fit/panels/measure.h"
+#include "fit_client/fit/panels/mesh_pattern.h"
+#include "fit_client/fit/panels/reconcile.h"
+
+namespace fitroom {
+namespace {
+
+std::string SizeNames(const SizeChart& chart) {
+  std::string names;
+  for (const GarmentSize& size : chart.sizes) names += (names.empty() ? "" : ", ") + size.name;
+  return names;
+}
+
+// Makes the pattern of the wanted size; returns its name, empty where there is no chart.
+Result<std::string> GradeToSize(const Garment& garment, const std::string& wanted, GarmentPattern& pattern) {
+  const std::string& photographed = garment.chart.photographed_size;
+  if (wanted.empty() || (!garment.chart.sizes.empty() && wanted == photographed)) return photographed;
+  if (garment.chart.sizes.empty()) {
+    return FailedPrecondition("CHART_MISSING", garment.id +
+                                                   " was published without a size chart; only the "
+                                                   "photographed size can be fitted: leave out the size");
+  }
+  const GarmentSize* from = FindSize(garment.chart, photographed);
+  const GarmentSize* to = FindSize(garment.chart, wanted);
+  if (to == nullptr || from == nullptr) {
+    return NotFound("SIZE_UNKNOWN",
+                    garment.id + " has no size \"" + wanted + "\"; its sizes are " + SizeNames(garment.chart));
+  }
+  FR_ASSIGN_OR_RETURN(pattern, GradePattern(pattern, *from, *to));
+  return to->name;
+}
+
+// What the shop states of a hidden measure stands where the photographs cannot tell.
+std::vector<GarmentMeasure> MeasuresOf(const Garment& garment, const GarmentPattern& pattern, const std::string& size) {
+  std::vector<GarmentMeasure> measures = MeasurePattern(pattern);
+  const GarmentSize* row = FindSize(garment.chart, size);
+  for (GarmentMeasure& measure : measures) {
+    if (measure.provenance != Provenance::kUnknown) continue;
+    const GarmentMeasure* stated = row != nullptr ? FindMeasure(row->measures, measure.name) : nullptr;
+    if (stated == nullptr) stated = FindMeasure(garment.measures, measure.name);
+    if (stated == nullptr || stated->provenance == Provenance::kUnknown) continue;
+    measure.value = stated->value;
+    measure.provenance = row != nullptr ? Provenance::kStated : stated->provenance;
+  }
+  return measures;
+}
+
+}  // namespace
+
+double MeanEdgeLength(const ClothMesh& cloth) {
+  double sum = 0.0;
+  for (const Eigen::Vector3i& triangle : cloth.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      sum += (cloth.rest_positions[static_cast<size_t>(triangle[k])] -
+              cloth.rest_positions[static_cast<size_t>(triangle[(k + 1) % 3])])
+                 .norm();
+    }
+  }
+  return cloth.triangles.empty() ? 0.0 : sum / (3.0 * static_cast<double>(cloth.triangles.size()));
+}
+
+Result<CutGarment> CutGarmentToSize(const Garment& garment, const CutOptions& options) {
+  CutGarment cut;
+  cut.kind = garment.kind;
+  FR_ASSIGN_OR_RETURN(GarmentPattern pattern, ReconcileViews(garment));
+  FR_ASSIGN_OR_RETURN(cut.size, GradeToSize(garment, options.size, pattern));
+  FR_ASSIGN_OR_RETURN(cut.cloth, MeshPattern(pattern, options.pitch));
+  cut.topology = ComputeWeldedTopology(cut.cloth);
+  cut.measures = MeasuresOf(garment, pattern, cut.size);
+  if (pattern.asymmetric_by_design) {
+    cut.notes.push_back("the garment is asymmetric by design; left and right are kept");
+  }
+  return cut;
+}
+
+}  // namespace fitroom

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/base/status.h"
+#include "common/garment/garment.h"
+#include "fit_client/fit/cloth_mesh.h"
+#include "fit_client/fit/panels/topology.h"
+
+namespace fitroom {
+
+struct CutOptions {
+  double pitch = 0.01;  // Edge length of the cloth mesh (unit: metre).
+  std::string size;     // Of the garment's chart; empty: as photographed.
+};
+
+// A garment in one size, cut into panels and meshed: what dressing needs to know of it, the same for every body.
+struct CutGarment {
+  GarmentKind kind = GarmentKind::kTShirt;
+  std::string size;  // Empty where the garment has no chart.
+  ClothMesh cloth;
+  ClothTopology topology;                // Once it is sewn.
+  std::vector<GarmentMeasure> measures;  // Of this size, flat, with how each is known.
+  std::vector<std::string> notes;        // What a shopper may want to know of how it was cut.
+};
+
+// Reconciles the photographs into one pattern, grades it to the size and meshes it. NOT_FOUND (SIZE_UNKNOWN) for a size
+// that the chart does not have, FAILED_PRECONDITION (CHART_MISSING) for any size of a garment without a chart; else
+// fails like ReconcileViews(), GradePattern() and MeshPattern().
+Result<CutGarment> CutGarmentToSize(const Garment& garment, const CutOptions& options);
+
+// Returns the mean length of the triangles' sides at rest (unit: metre).
+double MeanEdgeLength(const ClothMesh& cloth);
+
+}  // namespace fitroom
