@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "common/base/executor.h"
 #include "common/base/exit_code.h"
@@ -10,17 +11,19 @@
 #include "common/base/thread_count.h"
 #include "fit_client/cache/cache.h"
 #include "fit_client/cli/commands.h"
-#include "fit_client/fitting/fit_garment.h"
 #include "fit_client/fitting/fit_inputs.h"
+#include "fit_client/fitting/fit_outfit.h"
 #include "fit_client/fitting/fit_outputs.h"
 
 namespace fitroom::fit_client {
 namespace {
 
 struct FitFlags {
-  std::string body;     // Pulled scan.
-  std::string scan;     // Scan file.
-  std::string garment;  // Pulled garment or folder.
+  std::string body;                   // Pulled scan.
+  std::string scan;                   // Scan file.
+  std::string up, facing, unit;       // Of the scan file, where its shape does not tell.
+  std::vector<std::string> garments;  // Pulled garments or folders, the innermost first.
+  std::vector<std::string> sizes;     // One a garment, or none.
   std::string out = "fit";
   double pitch_cm = 1.0;
   int threads = 0;
@@ -31,22 +34,57 @@ struct FitFlags {
 };
 
 Result<BodyInput> LoadBody(const FitFlags& flags) {
-  if (!flags.scan.empty()) return LoadScan(flags.scan);
-  if (flags.body.empty())
+  if (!flags.scan.empty()) {
+    FrameOverrides overrides;
+    if (!flags.up.empty()) {
+      FR_ASSIGN_OR_RETURN(overrides.up, ParseAxis(flags.up));
+    }
+    if (!flags.facing.empty()) {
+      FR_ASSIGN_OR_RETURN(overrides.facing, ParseAxis(flags.facing));
+    }
+    if (!flags.unit.empty()) {
+      FR_ASSIGN_OR_RETURN(overrides.unit, ParseUnit(flags.unit));
+    }
+    return LoadScan(flags.scan, overrides);
+  }
+  if (flags.body.empty()) {
     return InvalidArgument("BODY_MISSING", "name a pulled body with --body or a file with --scan");
+  }
   FR_ASSIGN_OR_RETURN(const ScanRecord record, FindCachedScan(flags.body));
   FR_ASSIGN_OR_RETURN(Body body, LoadCachedBody(flags.body));
   return BodyInput{ToString(record.name), std::move(body), record.frame.reasons};
 }
 
 // A folder on disk comes first; what is none is the name of a pulled garment.
-Result<GarmentInput> LoadNamedGarment(const FitFlags& flags) {
+Result<GarmentInput> LoadNamedGarment(const std::string& name) {
   std::error_code error;
-  if (std::filesystem::is_directory(flags.garment, error) || !GarmentIdFromUser(flags.garment).ok()) {
-    return LoadGarment(flags.garment);
-  }
-  FR_ASSIGN_OR_RETURN(const std::filesystem::path folder, CachedGarmentFolder(flags.garment));
+  if (std::filesystem::is_directory(name, error) || !GarmentIdFromUser(name).ok()) return LoadGarment(name);
+  FR_ASSIGN_OR_RETURN(const std::filesystem::path folder, CachedGarmentFolder(name));
   return LoadGarment(folder);
+}
+
+Result<std::vector<GarmentInput>> LoadGarments(const FitFlags& flags) {
+  std::vector<GarmentInput> garments;
+  for (const std::string& name : flags.garments) {
+    FR_ASSIGN_OR_RETURN(GarmentInput garment, LoadNamedGarment(name));
+    garments.push_back(std::move(garment));
+  }
+  return garments;
+}
+
+// The sizes belong to the garments in order; a single one counts for a single garment only.
+Result<std::vector<Layer>> MakeLayers(const FitFlags& flags, const std::vector<GarmentInput>& garments) {
+  if (!flags.sizes.empty() && flags.sizes.size() != garments.size()) {
+    return InvalidArgument("SIZES_DO_NOT_MATCH",
+                           "there are " + std::to_string(garments.size()) + " garments and " +
+                               std::to_string(flags.sizes.size()) +
+                               " sizes; give --size once a garment, in the same order, or not at all");
+  }
+  std::vector<Layer> layers;
+  for (size_t i = 0; i < garments.size(); ++i) {
+    layers.push_back({&garments[i], flags.sizes.empty() ? std::string() : flags.sizes[i]});
+  }
+  return layers;
 }
 
 Status RunFit(const FitFlags& flags) {
@@ -57,19 +95,20 @@ Status RunFit(const FitFlags& flags) {
   progress("reading", 0.0);
   FR_ASSIGN_OR_RETURN(const BodyInput body, LoadBody(flags));
   stopwatch.Lap("body");
-  FR_ASSIGN_OR_RETURN(const GarmentInput garment, LoadNamedGarment(flags));
+  FR_ASSIGN_OR_RETURN(const std::vector<GarmentInput> garments, LoadGarments(flags));
+  FR_ASSIGN_OR_RETURN(const std::vector<Layer> layers, MakeLayers(flags, garments));
   stopwatch.Lap("garment");
   FitOptions options;
   options.pitch = flags.pitch_cm * 0.01;
-  FR_ASSIGN_OR_RETURN(Fit fit, FitGarment(body, garment, options, executor, stopwatch, progress));
-  fit.report.program_version = FITROOM_VERSION;
+  FR_ASSIGN_OR_RETURN(Outfit outfit, FitOutfit(body, layers, options, executor, stopwatch, progress));
+  for (WornGarment& worn : outfit.garments) worn.report.program_version = FITROOM_VERSION;
   FitOutputOptions outputs;
   outputs.pictures = !flags.no_pictures;
   outputs.glb = !flags.no_model;
   outputs.meshes = flags.meshes;
   outputs.thread_count = executor.thread_count();
-  FR_RETURN_IF_ERROR(WriteFitOutputs(flags.out, body, garment, fit, outputs, stopwatch, progress));
-  const std::string text = flags.json ? WriteJson(fit.report) : WriteText(fit.report);
+  FR_RETURN_IF_ERROR(WriteFitOutputs(flags.out, body, outfit, outputs, stopwatch, progress));
+  const std::string text = flags.json ? OutfitJson(outfit) : OutfitText(outfit);
   std::fputs(text.c_str(), stdout);
   return Status();
 }
@@ -78,14 +117,24 @@ Status RunFit(const FitFlags& flags) {
 
 void AddFitCommand(CLI::App& app, int& exit_code) {
   auto flags = std::make_shared<FitFlags>();
-  CLI::App* command = app.add_subcommand("fit", "Dress a body in a garment, on this computer, without any server");
+  CLI::App* command = app.add_subcommand("fit", "Dress a body in garments, on this computer, without any server");
   command->footer(
       "Writes front, side, back and three-quarter pictures, the stages, fitted.glb, report.json and report.txt.\n"
       "Example: fit_client fit --scan me.ase --garment shirt --out worn");
   CLI::Option* body = command->add_option("--body", flags->body, "A pulled scan, as `fit_client pull` names it");
   command->add_option("--scan", flags->scan, "A scan file (ASE, PLY or OBJ) instead of a pulled one")->excludes(body);
-  command->add_option("--garment", flags->garment, "A pulled garment's id, or the folder of an extracted one")
+  command->add_option("--up", flags->up, "The scan file's axis that points up: x, y, z, -x, -y or -z (default: found)")
+      ->excludes(body);
+  command->add_option("--facing", flags->facing, "The scan file's axis that the body looks along (default: found)")
+      ->excludes(body);
+  command->add_option("--unit", flags->unit, "The scan file's unit: m, dm, cm, mm, in or ft (default: found)")
+      ->excludes(body);
+  command
+      ->add_option("--garment", flags->garments,
+                   "A pulled garment's id, or the folder of an extracted one; several times for layers, the innermost "
+                   "first")
       ->required();
+  command->add_option("--size", flags->sizes, "A size of its chart, once a garment (default: as photographed)");
   command->add_option("--out", flags->out, "Folder for what the fit makes")->capture_default_str();
   command->add_option("--pitch-cm", flags->pitch_cm, "Edge length of the cloth mesh")
       ->check(CLI::Range(0.4, 4.0))

@@ -22,73 +22,124 @@ Status MakeFolder(const std::filesystem::path& folder) {
                             folder.string() + ": " + error.message() + "; name another folder with --out");
 }
 
-Status WriteListed(const std::filesystem::path& folder, const std::string& name, const std::string& description,
-                   const std::string& bytes, FitReport& report) {
-  FR_RETURN_IF_ERROR(WriteFileAtomically(folder / name, bytes));
-  report.files.push_back({name, description, static_cast<int64_t>(bytes.size())});
+// Writes files and keeps the list of them, which goes into the reports.
+class FolderWriter {
+ public:
+  explicit FolderWriter(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  Status Write(const std::string& name, const std::string& description, const std::string& bytes) {
+    FR_RETURN_IF_ERROR(WriteFileAtomically(folder_ / name, bytes));
+    files_.push_back({name, description, static_cast<int64_t>(bytes.size())});
+    return Status();
+  }
+  const std::vector<OutputFile>& files() const { return files_; }
+
+ private:
+  std::filesystem::path folder_;
+  std::vector<OutputFile> files_;
+};
+
+const Image* BackTexture(const WornGarment& worn) {
+  return worn.input->back_texture.width > 0 ? &worn.input->back_texture : nullptr;
+}
+
+// A garment as worn and at rest, and the pairs of sewn vertices (0-based), for other programs to measure. `suffix`
+// tells the garments of an outfit apart.
+Status WriteMeshes(const WornGarment& worn, const std::string& suffix, FolderWriter& writer) {
+  const ClothMesh& cloth = worn.cut.cloth;
+  // Sewn partners a tenth of a millimetre apart: triangles that share a place would count as crossing.
+  const std::vector<Eigen::Vector3d> places = SeparateSeamPartners(cloth, worn.stages.final, 1e-4);
+  FR_RETURN_IF_ERROR(writer.Write("garment" + suffix + ".obj", "garment as worn, metres, y up",
+                                  FormatObj(TriangleMesh{places, cloth.triangles})));
+  FR_RETURN_IF_ERROR(writer.Write("garment_rest" + suffix + ".obj", "panels at rest, same vertices",
+                                  FormatObj(TriangleMesh{cloth.rest_positions, cloth.triangles})));
+  std::string pairs;
+  for (const SeamPair& pair : cloth.seams) pairs += std::to_string(pair.a) + " " + std::to_string(pair.b) + "\n";
+  return writer.Write("seams" + suffix + ".txt", "sewn pairs of vertices", pairs);
+}
+
+// The pictures of the outermost garment's fit, with what is worn below it.
+Status WritePictures(const render::DisplayBody& display, const Outfit& outfit, int thread_count, FolderWriter& writer) {
+  const WornGarment& worn = outfit.garments.back();
+  render::FitPictureRequest request;
+  request.body = &display;
+  request.cloth = &worn.cut.cloth;
+  request.front_texture = &worn.input->front_texture;
+  request.back_texture = BackTexture(worn);
+  request.stages = {{"start", "1 START", worn.stages.start, false},
+                    {"merging", "2 MERGING", worn.stages.merging, true},
+                    {"stitched", "3 STITCHED", worn.stages.stitched, false},
+                    {"final", "4 FINAL", worn.stages.final, false}};
+  request.thread_count = thread_count;
+  FR_ASSIGN_OR_RETURN(const std::vector<render::NamedPicture> pictures, render::DrawFitPictures(request));
+  for (const render::NamedPicture& picture : pictures) {
+    FR_RETURN_IF_ERROR(writer.Write(picture.file_name, picture.description, picture.png));
+  }
   return Status();
 }
 
-// The garment as worn and at rest, the body, and the pairs of sewn vertices (0-based), for other programs to measure.
-Status WriteMeshes(const std::filesystem::path& folder, const BodyInput& body, Fit& fit) {
-  // Sewn partners a tenth of a millimetre apart: triangles that share a place would count as crossing.
-  const std::vector<Eigen::Vector3d> worn = SeparateSeamPartners(fit.cloth, fit.stages.final, 1e-4);
-  FR_RETURN_IF_ERROR(WriteListed(folder, "garment.obj", "garment as worn, metres, y up",
-                                 FormatObj(TriangleMesh{worn, fit.cloth.triangles}), fit.report));
-  FR_RETURN_IF_ERROR(WriteListed(folder, "garment_rest.obj", "panels at rest, same vertices",
-                                 FormatObj(TriangleMesh{fit.cloth.rest_positions, fit.cloth.triangles}), fit.report));
-  FR_RETURN_IF_ERROR(WriteListed(folder, "body.obj", "body in the same frame", FormatObj(body.body.mesh), fit.report));
-  std::string pairs;
-  for (const SeamPair& pair : fit.cloth.seams) pairs += std::to_string(pair.a) + " " + std::to_string(pair.b) + "\n";
-  return WriteListed(folder, "seams.txt", "sewn pairs of vertices", pairs, fit.report);
+Status WriteModel(const render::DisplayBody& display, const Outfit& outfit, FolderWriter& writer) {
+  render::Scene scene;
+  scene.body = &display;
+  std::string title;
+  for (const WornGarment& worn : outfit.garments) {
+    scene.garments.push_back(
+        {&worn.cut.cloth, worn.stages.final, &worn.input->front_texture, BackTexture(worn), /*opacity=*/1.0F});
+    title += (title.empty() ? "" : ", ") + worn.input->garment.title;
+  }
+  FR_ASSIGN_OR_RETURN(const std::string glb, render::WriteGlb(scene, title));
+  return writer.Write("fitted.glb", "3D model", glb);
 }
 
 }  // namespace
 
-Status WriteFitOutputs(const std::filesystem::path& folder, const BodyInput& body, const GarmentInput& garment,
-                       Fit& fit, const FitOutputOptions& options, Stopwatch& stopwatch, const ProgressSink& progress) {
+std::string OutfitText(const Outfit& outfit) {
+  std::string text;
+  for (const WornGarment& worn : outfit.garments) text += (text.empty() ? "" : "\n") + WriteText(worn.report);
+  return text;
+}
+
+std::string OutfitJson(const Outfit& outfit) {
+  if (outfit.garments.size() == 1) return WriteJson(outfit.garments.front().report);
+  std::string json;
+  for (const WornGarment& worn : outfit.garments) json += (json.empty() ? "" : ",\n") + WriteJson(worn.report);
+  return "{\"garments\": [\n" + json + "]}\n";
+}
+
+Status WriteFitOutputs(const std::filesystem::path& folder, const BodyInput& body, Outfit& outfit,
+                       const FitOutputOptions& options, Stopwatch& stopwatch, const ProgressSink& progress) {
   FR_RETURN_IF_ERROR(MakeFolder(folder));
-  const Image* back_texture = garment.back_texture.width > 0 ? &garment.back_texture : nullptr;
+  FolderWriter writer(folder);
   render::DisplayBody display;
-  if (options.pictures || options.glb) display = render::PrepareBody(fit.body_surface);
+  if (options.pictures || options.glb) display = render::PrepareBody(outfit.body_surface);
   if (options.pictures) {
     if (progress) progress("drawing", 0.82);
-    render::FitPictureRequest request;
-    request.body = &display;
-    request.cloth = &fit.cloth;
-    request.front_texture = &garment.front_texture;
-    request.back_texture = back_texture;
-    request.stages = {{"start", "1 START", fit.stages.start, false},
-                      {"merging", "2 MERGING", fit.stages.merging, true},
-                      {"stitched", "3 STITCHED", fit.stages.stitched, false},
-                      {"final", "4 FINAL", fit.stages.final, false}};
-    request.thread_count = options.thread_count;
-    FR_ASSIGN_OR_RETURN(const std::vector<render::NamedPicture> pictures, render::DrawFitPictures(request));
-    for (const render::NamedPicture& picture : pictures) {
-      FR_RETURN_IF_ERROR(WriteListed(folder, picture.file_name, picture.description, picture.png, fit.report));
-    }
+    FR_RETURN_IF_ERROR(WritePictures(display, outfit, options.thread_count, writer));
     stopwatch.Lap("pictures");
   }
   if (options.glb) {
     if (progress) progress("writing the model", 0.95);
-    render::Scene scene;
-    scene.body = &display;
-    scene.garments.push_back({&fit.cloth, fit.stages.final, &garment.front_texture, back_texture, /*opacity=*/1.0F});
-    FR_ASSIGN_OR_RETURN(const std::string glb, render::WriteGlb(scene, garment.garment.title));
-    FR_RETURN_IF_ERROR(WriteListed(folder, "fitted.glb", "3D model", glb, fit.report));
+    FR_RETURN_IF_ERROR(WriteModel(display, outfit, writer));
     stopwatch.Lap("model");
   }
   if (options.meshes) {
-    FR_RETURN_IF_ERROR(WriteMeshes(folder, body, fit));
+    FR_RETURN_IF_ERROR(writer.Write("body.obj", "body in the same frame", FormatObj(body.body.mesh)));
+    for (size_t i = 0; i < outfit.garments.size(); ++i) {
+      const std::string suffix = outfit.garments.size() == 1 ? "" : "_" + std::to_string(i + 1);
+      FR_RETURN_IF_ERROR(WriteMeshes(outfit.garments[i], suffix, writer));
+    }
     stopwatch.Lap("meshes");
   }
-  fit.report.files.push_back({"report.json", "this report for programs", 0});
-  fit.report.files.push_back({"report.txt", "this report for people", 0});
-  fit.report.times = stopwatch.laps();
-  fit.report.total_seconds = stopwatch.total_seconds();
-  fit.report.peak_rss_bytes = PeakMemory();
-  FR_RETURN_IF_ERROR(WriteFileAtomically(folder / "report.json", WriteJson(fit.report)));
-  FR_RETURN_IF_ERROR(WriteFileAtomically(folder / "report.txt", WriteText(fit.report)));
+  for (WornGarment& worn : outfit.garments) {
+    worn.report.files = writer.files();
+    worn.report.files.push_back({"report.json", "this report for programs", 0});
+    worn.report.files.push_back({"report.txt", "this report for people", 0});
+    worn.report.times = stopwatch.laps();
+    worn.report.total_seconds = stopwatch.total_seconds();
+    worn.report.peak_rss_bytes = PeakMemory();
+  }
+  FR_RETURN_IF_ERROR(WriteFileAtomically(folder / "report.json", OutfitJson(outfit)));
+  FR_RETURN_IF_ERROR(WriteFileAtomically(folder / "report.txt", OutfitText(outfit)));
   if (progress) progress("done", 1.0);
   return Status();
 }

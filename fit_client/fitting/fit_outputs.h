@@ -1,11 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "common/base/progress.h"
 #include "common/base/status.h"
-#include "fit_client/fitting/fit_garment.h"
 #include "fit_client/fitting/fit_inputs.h"
+#include "fit_client/fitting/fit_outfit.h"
 #include "fit_client/fitting/stopwatch.h"
 
 namespace fitroom {
@@ -18,9 +19,14 @@ struct FitOutputOptions {
 };
 
 // Draws and writes everything a fit shows into `folder`, which is made where it is missing: pictures, stage pictures,
-// fitted.glb, report.json and report.txt. Times, memory and the list of files are filled into the fit's report first.
+// fitted.glb, report.json and report.txt. Times, memory and the list of files are filled into the reports first.
 // Fails like DrawFitPictures() and WriteFileAtomically(); files already written stay.
-Status WriteFitOutputs(const std::filesystem::path& folder, const BodyInput& body, const GarmentInput& garment,
-                       Fit& fit, const FitOutputOptions& options, Stopwatch& stopwatch, const ProgressSink& progress);
+Status WriteFitOutputs(const std::filesystem::path& folder, const BodyInput& body, Outfit& outfit,
+                       const FitOutputOptions& options, Stopwatch& stopwatch, const ProgressSink& progress);
+
+// Returns the reports of all garments as one text for people, the innermost first.
+std::string OutfitText(const Outfit& outfit);
+// Returns the report for programs: that of the one garment, or {"garments": [...]}, the innermost first.
+std::string OutfitJson(const Outfit& outfit);
 
 }  // namespace fitroom

@@ -1,4 +1,4 @@
-#include "fit_client/fitting/fit_garment.h"
+#include "fit_client/fitting/describe_fit.h"
 
 #include <algorithm>
 #include <array>
@@ -6,17 +6,10 @@
 #include <string>
 #include <utility>
 
-#include "fit_client/fit/collision/body_repair.h"
 #include "fit_client/fit/measure/garment_girth.h"
-#include "fit_client/fit/panels/measure.h"
-#include "fit_client/fit/panels/mesh_pattern.h"
-#include "fit_client/fit/panels/reconcile.h"
-#include "fit_client/fit/panels/topology.h"
 
 namespace fitroom {
 namespace {
-
-constexpr int kTShirtEulerCharacteristic = -2;  // A sphere with four openings: 2 - 4.
 
 // A point inside the torso at `height`: the middle of the body's depth near its plane of symmetry (unit: metre).
 Eigen::Vector2d TorsoAxis(const TriangleMesh& body, double height) {
@@ -32,17 +25,18 @@ Eigen::Vector2d TorsoAxis(const TriangleMesh& body, double height) {
 
 // The garment's own bust line, as shops measure it, lies just under its underarms: above, the cloth is open to the
 // sleeves.
-double HighestClosedHeight(const Fit& fit) {
+double HighestClosedHeight(const WornGarment& worn) {
   constexpr double kBelowUnderarm = 0.015;  // (unit: metre)
   double height = 1e9;
-  for (const NamedParticle& named : fit.cloth.named_particles) {
+  for (const NamedParticle& named : worn.cut.cloth.named_particles) {
     if (named.name.find("/underarm_") == std::string::npos) continue;
-    height = std::min(height, fit.stages.final[static_cast<size_t>(named.particle)].y() - kBelowUnderarm);
+    height = std::min(height, worn.stages.final[static_cast<size_t>(named.particle)].y() - kBelowUnderarm);
   }
   return height;
 }
 
-EaseAtPlace MeasureEase(const std::string& place, const GirthMeasurement& girth, const Fit& fit) {
+EaseAtPlace MeasureEase(const std::string& place, const GirthMeasurement& girth, const TriangleMesh& body_surface,
+                        const WornGarment& worn) {
   EaseAtPlace ease;
   ease.place = place;
   ease.height = girth.height;
@@ -51,9 +45,9 @@ EaseAtPlace MeasureEase(const std::string& place, const GirthMeasurement& girth,
     ease.note = "the scan gave no " + place + " girth";
     return ease;
   }
-  const double height = std::min(girth.height, HighestClosedHeight(fit));
+  const double height = std::min(girth.height, HighestClosedHeight(worn));
   const GarmentGirth garment =
-      MeasureDrapedGirth(fit.cloth, fit.stages.final, height, TorsoAxis(fit.body_surface, height));
+      MeasureDrapedGirth(worn.cut.cloth, worn.stages.final, height, TorsoAxis(body_surface, height));
   ease.height = height;
   ease.measured = garment.found;
   ease.garment_girth = garment.girth;
@@ -61,19 +55,9 @@ EaseAtPlace MeasureEase(const std::string& place, const GirthMeasurement& girth,
   return ease;
 }
 
-double MeanEdgeLength(const ClothMesh& cloth) {
-  double sum = 0.0;
-  for (const Eigen::Vector3i& triangle : cloth.triangles) {
-    for (int k = 0; k < 3; ++k) {
-      sum += (cloth.rest_positions[static_cast<size_t>(triangle[k])] -
-              cloth.rest_positions[static_cast<size_t>(triangle[(k + 1) % 3])])
-                 .norm();
-    }
-  }
-  return cloth.triangles.empty() ? 0.0 : sum / (3.0 * static_cast<double>(cloth.triangles.size()));
-}
+}  // namespace
 
-void DescribeInputs(const BodyInput& body, const Garment& garment, FitReport& report) {
+void DescribeInputs(const BodyInput& body, const Garment& garment, const CutGarment& cut, FitReport& report) {
   report.body = body.name;
   report.body_stature = body.body.measurements.stature;
   report.body_triangle_count = static_cast<int64_t>(body.body.mesh.triangles.size());
@@ -83,6 +67,14 @@ void DescribeInputs(const BodyInput& body, const Garment& garment, FitReport& re
   report.garment_kind = GarmentKindName(garment.kind);
   report.garment_length = garment.length;
   report.profile = "standard";
+  report.euler_characteristic = cut.topology.euler_characteristic();
+  report.expected_euler_characteristic = ExpectedEulerCharacteristic(garment.kind);
+  report.boundary_loop_count = cut.topology.boundary_loop_count;
+  report.penetration.triangle_sample_count = cut.topology.edge_count + cut.topology.triangle_count;
+  report.particle_count = static_cast<int>(cut.cloth.rest_positions.size());
+  report.triangle_count = static_cast<int>(cut.cloth.triangles.size());
+  report.mean_edge_length = MeanEdgeLength(cut.cloth);
+  report.notes = cut.notes;
 }
 
 void DescribeOutcome(const DressTopResult& dressed, const DrapeOptions& options, FitReport& report) {
@@ -126,53 +118,10 @@ void DescribeOutcome(const DressTopResult& dressed, const DrapeOptions& options,
   report.substep_count = drape.merging_substeps + drape.draping_substeps;
 }
 
-}  // namespace
-
-Result<Fit> FitGarment(const BodyInput& body, const GarmentInput& garment, const FitOptions& options,
-                       Executor& executor, Stopwatch& stopwatch, const ProgressSink& progress) {
-  const auto report_progress = [&progress](std::string_view stage, double done) {
-    if (progress) progress(stage, done);
-  };
-  if (garment.garment.kind != GarmentKind::kTShirt && garment.garment.kind != GarmentKind::kLongSleeve) {
-    return Status(StatusCode::kUnimplemented, "KIND_NOT_SUPPORTED",
-                  "a " + std::string(GarmentKindName(garment.garment.kind)) +
-                      " cannot be fitted yet; tshirt and long_sleeve can");
-  }
-  Fit fit;
-  DescribeInputs(body, garment.garment, fit.report);
-  fit.report.thread_count = executor.thread_count();
-
-  report_progress("cutting panels", 0.0);
-  FR_ASSIGN_OR_RETURN(const GarmentPattern pattern, ReconcileViews(garment.garment));
-  FR_ASSIGN_OR_RETURN(fit.cloth, MeshPattern(pattern, options.pitch));
-  const ClothTopology topology = ComputeWeldedTopology(fit.cloth);
-  fit.report.euler_characteristic = topology.euler_characteristic();
-  fit.report.expected_euler_characteristic = kTShirtEulerCharacteristic;
-  fit.report.penetration.triangle_sample_count = topology.edge_count + topology.triangle_count;
-  fit.report.boundary_loop_count = topology.boundary_loop_count;
-  fit.report.particle_count = static_cast<int>(fit.cloth.rest_positions.size());
-  fit.report.triangle_count = static_cast<int>(fit.cloth.triangles.size());
-  fit.report.mean_edge_length = MeanEdgeLength(fit.cloth);
-  if (pattern.asymmetric_by_design)
-    fit.report.notes.push_back("the garment is asymmetric by design; left and right are kept");
-  stopwatch.Lap("panels");
-
-  report_progress("preparing the body", 0.02);
-  FR_ASSIGN_OR_RETURN(fit.body_surface, RepairBody(body.body.mesh));
-  stopwatch.Lap("body without holes");
-
-  const auto dressing = [&](double done) { report_progress("dressing", 0.05 + 0.75 * done); };
-  FR_ASSIGN_OR_RETURN(DressTopResult dressed,
-                      DressTop(fit.cloth, body.body, fit.body_surface, options.dressing, executor, dressing));
-  fit.stages = std::move(dressed.stages);
-  stopwatch.Lap("dressing");
-
-  DescribeOutcome(dressed, options.dressing.drape, fit.report);
-  const BodyMeasurements& girths = body.body.measurements;
-  fit.report.ease = {MeasureEase("bust", girths.bust, fit), MeasureEase("waist", girths.waist, fit),
-                     MeasureEase("hip", girths.hip, fit)};
-  stopwatch.Lap("measuring");
-  return fit;
+void DescribeEase(const BodyMeasurements& girths, const TriangleMesh& body_surface, WornGarment& worn) {
+  worn.report.ease = {MeasureEase("bust", girths.bust, body_surface, worn),
+                      MeasureEase("waist", girths.waist, body_surface, worn),
+                      MeasureEase("hip", girths.hip, body_surface, worn)};
 }
 
 }  // namespace fitroom

@@ -1,0 +1,50 @@
+#include "fit_client/fitting/fit_outfit.h"
+
+#include <utility>
+
+#include "fit_client/fit/collision/body_repair.h"
+#include "fit_client/fitting/describe_fit.h"
+
+namespace fitroom {
+
+Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers, const FitOptions& options,
+                         Executor& executor, Stopwatch& stopwatch, const ProgressSink& progress) {
+  const auto report_progress = [&progress](std::string_view stage, double done) {
+    if (progress) progress(stage, done);
+  };
+  if (layers.empty()) return InvalidArgument("GARMENT_MISSING", "name at least one garment");
+  Outfit outfit;
+  report_progress("preparing the body", 0.0);
+  FR_ASSIGN_OR_RETURN(outfit.body_surface, RepairBody(body.body.mesh));
+  stopwatch.Lap("body without holes");
+
+  const double share = 0.8 / static_cast<double>(layers.size());
+  for (const Layer& layer : layers) {
+    const double begin = share * static_cast<double>(outfit.garments.size());
+    report_progress("cutting panels", begin);
+    WornGarment worn;
+    worn.input = layer.garment;
+    const Garment& garment = layer.garment->garment;
+    Result<CutGarment> cut = CutGarmentToSize(garment, {options.pitch, layer.size});
+    if (!cut.ok()) return cut.status().At(garment.id);
+    worn.cut = std::move(cut).value();
+    DescribeInputs(body, garment, worn.cut, worn.report);
+    worn.report.thread_count = executor.thread_count();
+    stopwatch.Lap("panels");
+
+    const auto dressing = [&](double done) { report_progress("dressing", begin + share * (0.05 + 0.95 * done)); };
+    Result<DressTopResult> dressed =
+        DressTop(worn.cut.cloth, body.body, outfit.body_surface, options.dressing, executor, dressing);
+    if (!dressed.ok()) return dressed.status().At(garment.id);
+    worn.stages = std::move(dressed->stages);
+    stopwatch.Lap("dressing");
+
+    DescribeOutcome(*dressed, options.dressing.drape, worn.report);
+    DescribeEase(body.body.measurements, outfit.body_surface, worn);
+    outfit.garments.push_back(std::move(worn));
+    stopwatch.Lap("measuring");
+  }
+  return outfit;
+}
+
+}  // namespace fitroom

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/base/executor.h"
+#include "common/base/progress.h"
+#include "common/base/status.h"
+#include "fit_client/fit/stages/dress_top.h"
+#include "fit_client/fitting/cut_garment.h"
+#include "fit_client/fitting/fit_inputs.h"
+#include "fit_client/fitting/stopwatch.h"
+#include "fit_client/report/fit_report.h"
+
+namespace fitroom {
+
+// One garment of an outfit: which, and in which size.
+struct Layer {
+  const GarmentInput* garment = nullptr;
+  std::string size;  // Of its chart; empty: as photographed.
+};
+
+struct FitOptions {
+  double pitch = 0.01;  // Edge length of the cloth meshes (unit: metre).
+  DressTopOptions dressing;
+};
+
+// A garment as it is worn.
+struct WornGarment {
+  const GarmentInput* input = nullptr;
+  CutGarment cut;
+  DressingStages stages;
+  FitReport report;  // All but times, memory and files, which are the command's.
+};
+
+// A dressed body. The innermost garment comes first.
+struct Outfit {
+  TriangleMesh body_surface;  // Without holes: what the garments lie on, and what pictures show.
+  std::vector<WornGarment> garments;
+};
+
+// Dresses `body` in `layers`, the innermost first, with the `standard` profile: repairs the body into a collider; cuts
+// each garment to its size, dresses it over what is worn already, and measures what came out. Fails like RepairBody(),
+// CutGarmentToSize() and DressTop(); the message names the garment. A garment that does not fit is no failure: its
+// report says how it ended. `layers` and what they point to must outlive the outfit.
+Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers, const FitOptions& options,
+                         Executor& executor, Stopwatch& stopwatch, const ProgressSink& progress);
+
+}  // namespace fitroom
