@@ -11,10 +11,9 @@
 
 #include "fit_client/fit/panels/outline_samples.h"
 #include "fit_client/fit/panels/panel_mesher.h"
-#include "fit_client/fit/panels/photo_warp.h"
+#include "fit_client/fit/panels/panel_pixels.h"
 #include "fit_client/fit/panels/sleeve_weights.h"
 #include "fit_client/fit/panels/topology.h"
-#include "fit_client/fit/panels/unfold_texture.h"
 
 namespace fitroom {
 namespace {
@@ -40,17 +39,14 @@ std::vector<int> RowOrder(const std::vector<Eigen::Vector2d>& points, double pit
 // Appends one panel to the cloth; returns the particle of each of its outline's samples.
 Result<std::vector<int>> AppendPanel(const PanelPattern& panel, GarmentKind kind, const panels::OutlineSamples& outline,
                                      double pitch, ClothMesh& mesh) {
-  FR_ASSIGN_OR_RETURN(const panels::PanelMesh flat, panels::MeshPanel(outline.points, pitch));
+  FR_ASSIGN_OR_RETURN(const panels::PanelMesh flat, panels::MeshPanel(outline.points, outline.sewn, pitch));
   const bool is_front = panel.side == GarmentSide::kFront;
   const int base = static_cast<int>(mesh.rest_positions.size());
   const std::vector<int> order = RowOrder(flat.points, pitch);
   std::vector<int> particle_of(flat.points.size());
-  const PhotoWarp warp(panel);
   const panels::SleeveWeight left_sleeve(panel, kind, /*left=*/true), right_sleeve(panel, kind, /*left=*/false);
   const Eigen::Array2d image_size(panel.image_width, panel.image_height);
-  std::vector<Eigen::Vector2d> pixels = outline.pixels;
-  for (size_t v = pixels.size(); v < flat.points.size(); ++v) pixels.push_back(warp.PixelAt(flat.points[v]));
-  panels::UnfoldTexture(flat, static_cast<int>(outline.pixels.size()), pixels);
+  const std::vector<Eigen::Vector2d> pixels = panels::ComputePanelPixels(panel, outline, flat, pitch);
   for (size_t i = 0; i < order.size(); ++i) {
     const size_t v = static_cast<size_t>(order[i]);
     const Eigen::Vector2d& point = flat.points[v];

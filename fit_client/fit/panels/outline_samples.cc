@@ -66,6 +66,11 @@ OutlineSamples SampleOutline(const PanelPattern& panel, double pitch) {
   const int count = static_cast<int>(outline.points.size());
   for (int& sample : outline.samples_of_section.back()) sample %= count;
   for (OutlineSamples::Named& named : outline.named) named.sample %= count;
+  outline.sewn.assign(outline.points.size(), false);
+  for (size_t s = 0; s < panel.sections.size(); ++s) {
+    if (panel.sections[s].kind != SectionKind::kSeam) continue;
+    for (const int sample : outline.samples_of_section[s]) outline.sewn[static_cast<size_t>(sample)] = true;
+  }
   return outline;
 }
 

@@ -19,6 +19,7 @@ struct OutlineSamples {
     int sample = 0;
   };
   std::vector<Named> named;  // Each named point once.
+  std::vector<bool> sewn;    // Whether a sample lies on a seam, its ends included.
 };
 
 // Samples all sections. Corners are samples exactly; so are the other knots that lie at least 0.8 pitches from their

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "common/base/check.h"
 #include "fit_client/fit/panels/exact_predicates.h"
 #include "fit_client/fit/panels/polyline.h"
 #include "fit_client/fit/panels/triangulation.h"
@@ -131,6 +132,23 @@ void SplitLongEdges(const OutlineDistance& distance, int outline_count, double p
   mesh.points.insert(mesh.points.end(), middles.begin(), middles.end());
 }
 
+// Puts a point into the middle of each inner edge that joins two sewn samples of the outline, as across a narrow
+// sleeve. Returns whether there was any.
+bool SplitSewnBridges(const std::vector<bool>& sewn, PanelMesh& mesh) {
+  const int outline_count = static_cast<int>(sewn.size());
+  const size_t count_before = mesh.points.size();
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = t[k], b = t[(k + 1) % 3];
+      if (a > b || b >= outline_count) continue;  // Each inner edge is seen from both sides; one is enough.
+      const bool on_outline = b == a + 1 || (a == 0 && b == outline_count - 1);
+      if (on_outline || !sewn[static_cast<size_t>(a)] || !sewn[static_cast<size_t>(b)]) continue;
+      mesh.points.push_back(0.5 * (mesh.points[static_cast<size_t>(a)] + mesh.points[static_cast<size_t>(b)]));
+    }
+  }
+  return mesh.points.size() > count_before;
+}
+
 // Moves the points near the outline towards the middle of their neighbours. A move that would turn a triangle over is
 // not made.
 void SmoothNearOutline(int outline_count, const OutlineDistance& distance, double pitch, PanelMesh& mesh) {
@@ -219,7 +237,8 @@ void OpenSharpAngles(int outline_count, double pitch, PanelMesh& mesh) {
 
 }  // namespace
 
-Result<PanelMesh> MeshPanel(std::span<const Eigen::Vector2d> outline, double pitch) {
+Result<PanelMesh> MeshPanel(std::span<const Eigen::Vector2d> outline, const std::vector<bool>& sewn, double pitch) {
+  FR_CHECK(sewn.size() == outline.size());
   PanelMesh mesh;
   mesh.points.assign(outline.begin(), outline.end());
   for (const Eigen::Vector2d& p : outline) {
@@ -238,6 +257,9 @@ Result<PanelMesh> MeshPanel(std::span<const Eigen::Vector2d> outline, double pit
       OpenSharpAngles(outline_count, pitch, mesh);
       FR_ASSIGN_OR_RETURN(mesh.triangles, TriangulatePolygon(mesh.points, outline_count));
       break;
+    }
+    if (SplitSewnBridges(sewn, mesh)) {
+      FR_ASSIGN_OR_RETURN(mesh.triangles, TriangulatePolygon(mesh.points, outline_count));
     }
     if (round == 1) {
       SplitLongEdges(distance, outline_count, pitch, mesh);

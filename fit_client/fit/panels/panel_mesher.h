@@ -17,7 +17,9 @@ struct PanelMesh {
 
 // Fills a counter-clockwise outline, sampled about every `pitch`, with triangles of about that size: an equilateral
 // lattice that mirrors itself at x = 0, joined to the outline by a constrained Delaunay triangulation and smoothed
-// where the two meet. Fails as TriangulatePolygon().
-Result<PanelMesh> MeshPanel(std::span<const Eigen::Vector2d> outline, double pitch);
+// where the two meet. `sewn` says of each sample of the outline whether it is sewn to the other panel: no inner edge
+// joins two of these, because both panels may have it and sewn up the two would be one edge with four triangles. Fails
+// as TriangulatePolygon().
+Result<PanelMesh> MeshPanel(std::span<const Eigen::Vector2d> outline, const std::vector<bool>& sewn, double pitch);
 
 }  // namespace fitroom::panels

@@ -102,6 +102,25 @@ Landmarks CornersOf(GarmentKind kind, const Landmarks& marks) {
   return corners;
 }
 
+// As MeasureLength() defines it, of a garment that lies about upright.
+double LengthInPixels(GarmentKind kind, const Landmarks& corners, const Polygon& outline) {
+  if (kind == GarmentKind::kSkirt) return corners.at("hem_centre").y() - corners.at("waist_centre").y();
+  if (HasLegs(kind)) {
+    const double hems =
+        0.25 * (corners.at("e2") + corners.at("hem_inner_L") + corners.at("hem_inner_R") + corners.at("e4")).y();
+    return hems - corners.at("waist_centre").y();
+  }
+  double mean = 0.0;
+  for (const char* neck : {"P1", "P2"}) {
+    double lowest = 0.0;
+    for (const Eigen::Vector2d& p : outline) {
+      if (std::abs(p.x() - corners.at(neck).x()) < 1.0) lowest = std::max(lowest, p.y());
+    }
+    mean += 0.5 * (lowest - corners.at(neck).y());
+  }
+  return mean;
+}
+
 // Where the outline between two arc lengths passes a height.
 double ArcAtHeight(const Polygon& outline, double from, double to, double y) {
   double best = from;
@@ -158,14 +177,7 @@ LandmarkedGarment ReadLandmarkedGarment(const LandmarkedFile& file) {
   view.image_width = read.mask.width;
   view.image_height = read.mask.height;
   view.outline = TraceMask(read.mask);
-  const Eigen::Vector2d top =
-      IsBottom(file.kind) ? corners.at("waist_centre") : 0.5 * (corners.at("P1") + corners.at("P2"));
-  const Eigen::Vector2d hem =
-      HasLegs(file.kind)
-          ? 0.25 * (corners.at("e2") + corners.at("hem_inner_L") + corners.at("hem_inner_R") + corners.at("e4"))
-      : IsBottom(file.kind) ? corners.at("hem_centre")
-                            : 0.5 * (corners.at("hem_L") + corners.at("hem_R"));
-  view.metre_per_pixel = file.length / (hem - top).norm();
+  view.metre_per_pixel = file.length / LengthInPixels(file.kind, corners, view.outline);
 
   const double perimeter = Perimeter(view.outline);
   const std::vector<std::string> order = OutlineOrder(file.kind, GarmentSide::kFront);
