@@ -107,6 +107,19 @@ double MissingAngle(const ViewSamples& view, const KnotIndices& knots, const Leg
 
 }  // namespace
 
+double MeanTrouserLength(const std::vector<SectionLayout>& layout, const std::vector<const ViewSamples*>& views) {
+  double mean = 0.0;
+  for (const bool left : {true, false}) {
+    const Leg leg = FindLeg(layout, left);
+    for (const ViewSamples* view : views) {
+      const Polyline& outseam = view->points[leg.outseam];
+      const double drop = outseam.back().y() - outseam.front().y();
+      mean += (left ? drop : -drop) / (2.0 * static_cast<double>(views.size()));
+    }
+  }
+  return mean;
+}
+
 void TurnLegsAlike(const std::vector<SectionLayout>& layout, const KnotIndices& knots,
                    const std::vector<ViewSamples*>& views) {
   const std::array<Leg, 2> legs = {FindLeg(layout, true), FindLeg(layout, false)};

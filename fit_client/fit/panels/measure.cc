@@ -87,6 +87,19 @@ double HemWidth(const GarmentPattern& pattern) {
   return IsBottom(pattern.kind) ? Distance(front, "e2", "e4") : Distance(front, "hem_L", "hem_R");
 }
 
+// From the highest point of the shoulders straight down to the hem.
+double PanelLength(const PanelPattern& panel) {
+  const auto lower = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.y() < b.y(); };
+  const std::vector<Eigen::Vector2d>& left = SectionOf(panel, "shoulder_L").points;
+  const std::vector<Eigen::Vector2d>& right = SectionOf(panel, "shoulder_R").points;
+  const Eigen::Vector2d top = std::max(*std::max_element(left.begin(), left.end(), lower),
+                                       *std::max_element(right.begin(), right.end(), lower), lower);
+  const std::vector<Eigen::Vector2d>& hem = SectionOf(panel, "hem").points;
+  std::vector<double> across;
+  for (const Eigen::Vector2d& p : hem) across.push_back(across.empty() ? p.x() : std::max(p.x(), across.back()));
+  return top.y() - panels::InterpolateChain(hem, across, top.x()).y();
+}
+
 double VisibleRise(const PanelPattern& panel) {
   return PointOf(panel, "waist_centre").y() - PointOf(panel, "crotch").y();
 }
@@ -105,8 +118,8 @@ double Measure(const GarmentPattern& pattern, const std::string& name) {
   if (name == "sleeve_length") return 0.5 * (SleeveTopLength(pattern, true) + SleeveTopLength(pattern, false));
   if (name == "sleeve_opening") return 0.5 * (SleeveOpening(front, true) + SleeveOpening(front, false));
   if (name == "neck_width") return Distance(front, "P1", "P2");
-  if (name == "front_length") return MeasureLength(pattern.front, kind);
-  if (name == "back_length") return MeasureLength(pattern.back, kind);
+  if (name == "front_length") return PanelLength(pattern.front);
+  if (name == "back_length") return PanelLength(pattern.back);
   if (name == "length") return MeasureLength(pattern);
   if (name == "thigh_width") return MeanDistance(front, "thigh_outer", "thigh_inner");
   if (name == "knee_width") return MeanDistance(front, "knee_outer", "knee_inner");
@@ -119,30 +132,18 @@ double Measure(const GarmentPattern& pattern, const std::string& name) {
 
 }  // namespace
 
-double MeasureLength(const PanelPattern& panel, GarmentKind kind) {
-  if (IsBottom(kind)) {
-    const double hem = HasLegs(kind) ? MeanLevel(panel, "hem_mid") : PointOf(panel, "hem_centre").y();
-    return PointOf(panel, "waist_centre").y() - hem;
-  }
-  const auto lower = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.y() < b.y(); };
-  const std::vector<Eigen::Vector2d>& left = SectionOf(panel, "shoulder_L").points;
-  const std::vector<Eigen::Vector2d>& right = SectionOf(panel, "shoulder_R").points;
-  const Eigen::Vector2d top = std::max(*std::max_element(left.begin(), left.end(), lower),
-                                       *std::max_element(right.begin(), right.end(), lower), lower);
-  const std::vector<Eigen::Vector2d>& hem = SectionOf(panel, "hem").points;
-  std::vector<double> across;
-  for (const Eigen::Vector2d& p : hem) across.push_back(across.empty() ? p.x() : std::max(p.x(), across.back()));
-  return top.y() - panels::InterpolateChain(hem, across, top.x()).y();
-}
-
 double MeasureLength(const GarmentPattern& pattern) {
-  return 0.5 * (MeasureLength(pattern.front, pattern.kind) + MeasureLength(pattern.back, pattern.kind));
+  const PanelPattern& front = pattern.front;
+  const bool bottom = IsBottom(pattern.kind);
+  const double left = PointOf(front, bottom ? "e1" : "P2").y() - PointOf(front, bottom ? "e2" : "hem_L").y();
+  const double right = PointOf(front, bottom ? "e3" : "P1").y() - PointOf(front, bottom ? "e4" : "hem_R").y();
+  return 0.5 * (left + right);
 }
 
 std::vector<GarmentMeasure> MeasurePattern(const GarmentPattern& pattern) {
   std::vector<GarmentMeasure> measures;
   for (const std::string& name : MeasureNames(pattern.kind)) {
-    const bool hidden = name == "front_rise" || name == "back_rise";
+    const bool hidden = name == "front_rise" || name == "back_rise" || name == "thigh_width";
     measures.push_back({name, Measure(pattern, name), hidden ? Provenance::kUnknown : Provenance::kMeasured});
   }
   return measures;

@@ -158,9 +158,9 @@ PanelPattern MakePanel(const std::vector<SectionLayout>& layout, const KnotIndic
   return panel;
 }
 
-// Moves the middle of the neck's or waist's ends to the origin and scales the whole to the garment's length.
-Status Normalise(double length, GarmentPattern& pattern) {
-  const double drawn_length = MeasureLength(pattern);
+// Moves the middle of the neck's or waist's ends to the origin and scales the whole from the length that it was drawn
+// with to the garment's.
+Status Normalise(double length, double drawn_length, GarmentPattern& pattern) {
   const double scale = length / drawn_length;
   if (!(std::abs(scale - 1.0) < kMaxScaleError)) {
     return InvalidArgument("SCALE_CONTRADICTS_LENGTH",
@@ -203,7 +203,11 @@ Result<GarmentPattern> ReconcileViews(const Garment& garment) {
   const KnotIndices knots = panels::ChooseKnotIndices(layout, {&front_outline, &back_outline});
   ViewSamples front = panels::SampleUpright(layout, knots, front_outline, garment.length);
   ViewSamples back = panels::SampleUpright(layout, knots, back_outline, garment.length);
-  if (HasLegs(garment.kind)) panels::TurnLegsAlike(layout, knots, {&front, &back});
+  double seen_length = 0.0;
+  if (HasLegs(garment.kind)) {
+    seen_length = panels::MeanTrouserLength(layout, {&front, &back});
+    panels::TurnLegsAlike(layout, knots, {&front, &back});
+  }
 
   GarmentPattern pattern;
   pattern.kind = garment.kind;
@@ -241,7 +245,7 @@ Result<GarmentPattern> ReconcileViews(const Garment& garment) {
   for (size_t s = 0; s < layout.size(); ++s) {
     if (layout[s].name == "hem") ShareHem(s, pattern);
   }
-  FR_RETURN_IF_ERROR(Normalise(garment.length, pattern));
+  FR_RETURN_IF_ERROR(Normalise(garment.length, HasLegs(garment.kind) ? seen_length : MeasureLength(pattern), pattern));
   for (const PanelPattern* panel : {&pattern.front, &pattern.back}) {
     FR_RETURN_IF_ERROR(CheckOpenings(*panel));
     const std::vector<Eigen::Vector2d> outline = JoinedPoints(*panel);

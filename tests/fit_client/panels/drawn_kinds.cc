@@ -100,8 +100,7 @@ Eigen::Vector2d Same(const Eigen::Vector2d& p) { return p; }
 constexpr double kSkirtHip = 0.20, kTrouserHip = 0.18;  // Below the waist (unit: metre).
 
 Half HalfSkirt(const DrawnSkirt& s, double dip) {
-  // The stated length is the mean of both sides', so that the corners lie where the mean waist says.
-  const double hem_y = -s.length - 0.5 * (s.front_dip + s.back_dip) + s.hem_sag;
+  const double hem_y = -s.length;
   const Eigen::Vector2d waist(s.half_waist, 0.0), hip(s.half_hip, -kSkirtHip), hem(s.half_hem, hem_y);
   const Eigen::Vector2d handle = hip - (hem - hip) * (0.5 * kSkirtHip / (hip.y() - hem.y()));
   Half half = {{Dip(s.half_waist, 0.0, dip), {{0.0, "waist_centre"}, {0.5, "waist_quarter_L"}}},
@@ -113,7 +112,7 @@ Half HalfSkirt(const DrawnSkirt& s, double dip) {
 }
 
 Half HalfTrousers(const DrawnTrousers& s, double dip) {
-  const double hem_y = -s.length - 0.5 * (s.front_dip + s.back_dip);
+  const double hem_y = -s.length;
   const Eigen::Vector2d waist(s.half_waist, 0.0), hip(s.half_hip, -kTrouserHip), crotch(0.0, -s.crotch);
   const Eigen::Vector2d outer(s.outer_hem, hem_y), inner(s.inner_hem, hem_y);
   const Eigen::Vector2d handle = hip - (outer - hip) * (0.5 * kTrouserHip / (hip.y() - outer.y()));

@@ -12,7 +12,7 @@ namespace fitroom::testing {
 
 // Sides: a parabola from waist to hip, then straight to the hem.
 struct DrawnSkirt {
-  double length = 0.60;  // From the waist's centre to the hem's centre, mean of front and back.
+  double length = 0.60;  // From the waist's ends to the hem's corners.
   double half_waist = 0.18;
   double half_hip = 0.24;  // 0.20 below the waist's ends.
   double half_hem = 0.30;
@@ -23,7 +23,7 @@ struct DrawnSkirt {
 };
 
 struct DrawnTrousers {
-  double length = 1.00;  // From the waist's centre to the level of the hems' middles, mean of front and back.
+  double length = 1.00;  // From the waist's ends to the hems.
   double half_waist = 0.19;
   double half_hip = 0.25;  // 0.18 below the waist's ends.
   double crotch = 0.27;    // Depth of the crotch below the waist's ends.

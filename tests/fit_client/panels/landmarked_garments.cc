@@ -102,23 +102,12 @@ Landmarks CornersOf(GarmentKind kind, const Landmarks& marks) {
   return corners;
 }
 
-// As MeasureLength() defines it, of a garment that lies about upright.
-double LengthInPixels(GarmentKind kind, const Landmarks& corners, const Polygon& outline) {
-  if (kind == GarmentKind::kSkirt) return corners.at("hem_centre").y() - corners.at("waist_centre").y();
-  if (HasLegs(kind)) {
-    const double hems =
-        0.25 * (corners.at("e2") + corners.at("hem_inner_L") + corners.at("hem_inner_R") + corners.at("e4")).y();
-    return hems - corners.at("waist_centre").y();
-  }
-  double mean = 0.0;
-  for (const char* neck : {"P1", "P2"}) {
-    double lowest = 0.0;
-    for (const Eigen::Vector2d& p : outline) {
-      if (std::abs(p.x() - corners.at(neck).x()) < 1.0) lowest = std::max(lowest, p.y());
-    }
-    mean += 0.5 * (lowest - corners.at(neck).y());
-  }
-  return mean;
+// As MeasureLength() defines it, along the garment's own axis.
+double LengthInPixels(GarmentKind kind, const Landmarks& corners) {
+  const bool bottom = IsBottom(kind);
+  const Eigen::Vector2d upper = 0.5 * (corners.at(bottom ? "e1" : "P2") + corners.at(bottom ? "e3" : "P1"));
+  const Eigen::Vector2d lower = 0.5 * (corners.at(bottom ? "e2" : "hem_L") + corners.at(bottom ? "e4" : "hem_R"));
+  return (lower - upper).norm();
 }
 
 // Where the outline between two arc lengths passes a height.
@@ -177,7 +166,7 @@ LandmarkedGarment ReadLandmarkedGarment(const LandmarkedFile& file) {
   view.image_width = read.mask.width;
   view.image_height = read.mask.height;
   view.outline = TraceMask(read.mask);
-  view.metre_per_pixel = file.length / LengthInPixels(file.kind, corners, view.outline);
+  view.metre_per_pixel = file.length / LengthInPixels(file.kind, corners);
 
   const double perimeter = Perimeter(view.outline);
   const std::vector<std::string> order = OutlineOrder(file.kind, GarmentSide::kFront);
