@@ -101,7 +101,7 @@ Status RunFit(const FitFlags& flags) {
   FitOptions options;
   options.pitch = flags.pitch_cm * 0.01;
   FR_ASSIGN_OR_RETURN(Outfit outfit, FitOutfit(body, layers, options, executor, stopwatch, progress));
-  for (WornGarment& worn : outfit.garments) worn.report.program_version = FITROOM_VERSION;
+  for (FittedGarment& worn : outfit.garments) worn.report.program_version = FITROOM_VERSION;
   FitOutputOptions outputs;
   outputs.pictures = !flags.no_pictures;
   outputs.glb = !flags.no_model;

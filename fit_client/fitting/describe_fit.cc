@@ -25,7 +25,7 @@ Eigen::Vector2d TorsoAxis(const TriangleMesh& body, double height) {
 
 // The garment's own bust line, as shops measure it, lies just under its underarms: above, the cloth is open to the
 // sleeves.
-double HighestClosedHeight(const WornGarment& worn) {
+double HighestClosedHeight(const FittedGarment& worn) {
   constexpr double kBelowUnderarm = 0.015;  // (unit: metre)
   double height = 1e9;
   for (const NamedParticle& named : worn.cut.cloth.named_particles) {
@@ -36,7 +36,7 @@ double HighestClosedHeight(const WornGarment& worn) {
 }
 
 EaseAtPlace MeasureEase(const std::string& place, const GirthMeasurement& girth, const TriangleMesh& body_surface,
-                        const WornGarment& worn) {
+                        const FittedGarment& worn) {
   EaseAtPlace ease;
   ease.place = place;
   ease.height = girth.height;
@@ -118,7 +118,7 @@ void DescribeOutcome(const DressTopResult& dressed, const DrapeOptions& options,
   report.substep_count = drape.merging_substeps + drape.draping_substeps;
 }
 
-void DescribeEase(const BodyMeasurements& girths, const TriangleMesh& body_surface, WornGarment& worn) {
+void DescribeEase(const BodyMeasurements& girths, const TriangleMesh& body_surface, FittedGarment& worn) {
   worn.report.ease = {MeasureEase("bust", girths.bust, body_surface, worn),
                       MeasureEase("waist", girths.waist, body_surface, worn),
                       MeasureEase("hip", girths.hip, body_surface, worn)};

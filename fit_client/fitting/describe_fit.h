@@ -14,6 +14,6 @@ void DescribeInputs(const BodyInput& body, const Garment& garment, const CutGarm
 void DescribeOutcome(const DressTopResult& dressed, const DrapeOptions& options, FitReport& report);
 
 // Measures the ease of the worn garment at bust, waist and hip. `body_surface` is the body without holes.
-void DescribeEase(const BodyMeasurements& girths, const TriangleMesh& body_surface, WornGarment& worn);
+void DescribeEase(const BodyMeasurements& girths, const TriangleMesh& body_surface, FittedGarment& worn);
 
 }  // namespace fitroom

@@ -4,6 +4,7 @@
 
 #include "fit_client/fit/collision/body_repair.h"
 #include "fit_client/fitting/describe_fit.h"
+#include "fit_client/fitting/judge_fit.h"
 
 namespace fitroom {
 
@@ -22,7 +23,7 @@ Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers
   for (const Layer& layer : layers) {
     const double begin = share * static_cast<double>(outfit.garments.size());
     report_progress("cutting panels", begin);
-    WornGarment worn;
+    FittedGarment worn;
     worn.input = layer.garment;
     const Garment& garment = layer.garment->garment;
     Result<CutGarment> cut = CutGarmentToSize(garment, {options.pitch, layer.size});
@@ -41,6 +42,8 @@ Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers
 
     DescribeOutcome(*dressed, options.dressing.drape, worn.report);
     DescribeEase(body.body.measurements, outfit.body_surface, worn);
+    JudgeWorn(body.body, DressingFacts(), worn);
+    JudgeChart(body.body, worn);
     outfit.garments.push_back(std::move(worn));
     stopwatch.Lap("measuring");
   }

@@ -6,6 +6,7 @@
 #include "common/base/executor.h"
 #include "common/base/progress.h"
 #include "common/base/status.h"
+#include "fit_client/fit/measure/assess_fit.h"
 #include "fit_client/fit/stages/dress_top.h"
 #include "fit_client/fitting/cut_garment.h"
 #include "fit_client/fitting/fit_inputs.h"
@@ -26,17 +27,18 @@ struct FitOptions {
 };
 
 // A garment as it is worn.
-struct WornGarment {
+struct FittedGarment {
   const GarmentInput* input = nullptr;
   CutGarment cut;
   DressingStages stages;
+  FitMaps maps;      // Strain, pressure and room all over it.
   FitReport report;  // All but times, memory and files, which are the command's.
 };
 
 // A dressed body. The innermost garment comes first.
 struct Outfit {
   TriangleMesh body_surface;  // Without holes: what the garments lie on, and what pictures show.
-  std::vector<WornGarment> garments;
+  std::vector<FittedGarment> garments;
 };
 
 // Dresses `body` in `layers`, the innermost first, with the `standard` profile: repairs the body into a collider; cuts

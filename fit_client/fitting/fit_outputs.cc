@@ -39,13 +39,13 @@ class FolderWriter {
   std::vector<OutputFile> files_;
 };
 
-const Image* BackTexture(const WornGarment& worn) {
+const Image* BackTexture(const FittedGarment& worn) {
   return worn.input->back_texture.width > 0 ? &worn.input->back_texture : nullptr;
 }
 
 // A garment as worn and at rest, and the pairs of sewn vertices (0-based), for other programs to measure. `suffix`
 // tells the garments of an outfit apart.
-Status WriteMeshes(const WornGarment& worn, const std::string& suffix, FolderWriter& writer) {
+Status WriteMeshes(const FittedGarment& worn, const std::string& suffix, FolderWriter& writer) {
   const ClothMesh& cloth = worn.cut.cloth;
   // Sewn partners a tenth of a millimetre apart: triangles that share a place would count as crossing.
   const std::vector<Eigen::Vector3d> places = SeparateSeamPartners(cloth, worn.stages.final, 1e-4);
@@ -60,7 +60,7 @@ Status WriteMeshes(const WornGarment& worn, const std::string& suffix, FolderWri
 
 // The pictures of the outermost garment's fit, with what is worn below it.
 Status WritePictures(const render::DisplayBody& display, const Outfit& outfit, int thread_count, FolderWriter& writer) {
-  const WornGarment& worn = outfit.garments.back();
+  const FittedGarment& worn = outfit.garments.back();
   render::FitPictureRequest request;
   request.body = &display;
   request.cloth = &worn.cut.cloth;
@@ -82,7 +82,7 @@ Status WriteModel(const render::DisplayBody& display, const Outfit& outfit, Fold
   render::Scene scene;
   scene.body = &display;
   std::string title;
-  for (const WornGarment& worn : outfit.garments) {
+  for (const FittedGarment& worn : outfit.garments) {
     scene.garments.push_back(
         {&worn.cut.cloth, worn.stages.final, &worn.input->front_texture, BackTexture(worn), /*opacity=*/1.0F});
     title += (title.empty() ? "" : ", ") + worn.input->garment.title;
@@ -95,14 +95,14 @@ Status WriteModel(const render::DisplayBody& display, const Outfit& outfit, Fold
 
 std::string OutfitText(const Outfit& outfit) {
   std::string text;
-  for (const WornGarment& worn : outfit.garments) text += (text.empty() ? "" : "\n") + WriteText(worn.report);
+  for (const FittedGarment& worn : outfit.garments) text += (text.empty() ? "" : "\n") + WriteText(worn.report);
   return text;
 }
 
 std::string OutfitJson(const Outfit& outfit) {
   if (outfit.garments.size() == 1) return WriteJson(outfit.garments.front().report);
   std::string json;
-  for (const WornGarment& worn : outfit.garments) json += (json.empty() ? "" : ",\n") + WriteJson(worn.report);
+  for (const FittedGarment& worn : outfit.garments) json += (json.empty() ? "" : ",\n") + WriteJson(worn.report);
   return "{\"garments\": [\n" + json + "]}\n";
 }
 
@@ -130,7 +130,7 @@ Status WriteFitOutputs(const std::filesystem::path& folder, const BodyInput& bod
     }
     stopwatch.Lap("meshes");
   }
-  for (WornGarment& worn : outfit.garments) {
+  for (FittedGarment& worn : outfit.garments) {
     worn.report.files = writer.files();
     worn.report.files.push_back({"report.json", "this report for programs", 0});
     worn.report.files.push_back({"report.txt", "this report for people", 0});

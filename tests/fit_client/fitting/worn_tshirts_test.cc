@@ -40,7 +40,7 @@ GarmentInput LoadShirt(const std::string& name, double length) {
   return LoadGarment(folder.path()).value();
 }
 
-WornGarment Wear(const BodyInput& body, const GarmentInput& shirt, Executor& executor) {
+FittedGarment Wear(const BodyInput& body, const GarmentInput& shirt, Executor& executor) {
   Stopwatch stopwatch;
   Result<Outfit> outfit = FitOutfit(body, {{&shirt, ""}}, FitOptions(), executor, stopwatch, {});
   EXPECT_TRUE(outfit.ok()) << outfit.status().ToString();
@@ -48,7 +48,7 @@ WornGarment Wear(const BodyInput& body, const GarmentInput& shirt, Executor& exe
 }
 
 // The sewn partners coincide, and no particle and no triangle's middle is inside the body, by the winding number.
-void ExpectWorn(const WornGarment& fit, const TriangleMesh& closed_body, const std::string& what) {
+void ExpectWorn(const FittedGarment& fit, const TriangleMesh& closed_body, const std::string& what) {
   EXPECT_TRUE(fit.report.finished) << what << ": " << fit.report.finishing_text;
   const std::vector<Eigen::Vector3d>& worn = fit.stages.final;
   for (const SeamPair& pair : fit.cut.cloth.seams) {
@@ -68,7 +68,7 @@ void ExpectWorn(const WornGarment& fit, const TriangleMesh& closed_body, const s
 }
 
 // Where a worn shirt's named points must be, seen by a person: neck round the neck, sleeves on the arms, hem level.
-void ExpectLooksWorn(const WornGarment& fit, const Body& body, const std::string& what) {
+void ExpectLooksWorn(const FittedGarment& fit, const Body& body, const std::string& what) {
   const auto place = [&](const std::string& name) -> Eigen::Vector3d {
     for (const NamedParticle& named : fit.cut.cloth.named_particles) {
       if (named.name == name) return fit.stages.final[static_cast<size_t>(named.particle)];
@@ -97,7 +97,7 @@ TEST(WornTShirts, SevenRealPairsAreWornOnClosedBodies) {
     const std::string body_name = "p00" + std::to_string(i + 1);
     const std::string what = kShirts[i] + " on " + body_name;
     const BodyInput body = LoadScan(testing::TestDataFolder() / "bodies/population" / (body_name + ".ply")).value();
-    const WornGarment fit = Wear(body, LoadShirt(kShirts[i], 0.68), executor);
+    const FittedGarment fit = Wear(body, LoadShirt(kShirts[i], 0.68), executor);
     ExpectWorn(fit, body.body.mesh, what);
     ExpectLooksWorn(fit, body.body, what);
   }
@@ -109,7 +109,7 @@ TEST(WornTShirts, RawScansWithHolesAreDressed) {
   const GarmentInput shirt = LoadShirt("dash-tee", 0.68);
   for (const char* scan : {"p001_scan.ply", "p002_scan.ply"}) {
     const BodyInput body = LoadScan(testing::TestDataFolder() / "bodies/scans" / scan).value();
-    const WornGarment fit = Wear(body, shirt, executor);
+    const FittedGarment fit = Wear(body, shirt, executor);
     EXPECT_TRUE(fit.report.finished) << scan << ": " << fit.report.finishing_text;
     EXPECT_EQ(fit.report.penetration.particle_count_inside, 0) << scan;
     ExpectLooksWorn(fit, body.body, scan);
@@ -122,8 +122,8 @@ TEST(WornTShirts, OneThreadAndTwoGiveTheSameBytes) {
   const GarmentInput shirt = LoadShirt("team-tee", 0.68);
   SerialExecutor one;
   ThreadPool two(2);
-  const WornGarment first = Wear(body, shirt, one);
-  const WornGarment second = Wear(body, shirt, two);
+  const FittedGarment first = Wear(body, shirt, one);
+  const FittedGarment second = Wear(body, shirt, two);
   ASSERT_EQ(first.stages.final.size(), second.stages.final.size());
   for (size_t i = 0; i < first.stages.final.size(); ++i) {
     ASSERT_EQ(first.stages.final[i], second.stages.final[i]) << "particle " << i;
@@ -137,7 +137,7 @@ TEST(WornTShirts, EaseGrowsWithTheSizeOfTheGarment) {
   const BodyInput body = LoadScan(testing::TestDataFolder() / "bodies/population/p006.ply").value();
   std::vector<double> bust;
   for (const double length : {0.66, 0.70, 0.74}) {
-    const WornGarment fit = Wear(body, LoadShirt("dash-tee", length), executor);
+    const FittedGarment fit = Wear(body, LoadShirt("dash-tee", length), executor);
     ASSERT_TRUE(fit.report.ease[0].measured);
     bust.push_back(fit.report.ease[0].ease());
   }
