@@ -1,9 +1,13 @@
 #include "common/garment_record/garment_record.h"
 
+#include <algorithm>
+
 namespace fitroom {
 
 std::string ImageId(GarmentImageKind kind, GarmentSide side) {
-  const std::string prefix = side == GarmentSide::kFront ? "front-" : "back-";
+  std::string prefix(GarmentSideName(side));
+  std::replace(prefix.begin(), prefix.end(), '_', '-');  // An id holds no '_'.
+  prefix += '-';
   switch (kind) {
     case GarmentImageKind::kPhoto:
       return prefix + "photo";

@@ -9,6 +9,7 @@
 #include "common/base/status.h"
 #include "common/codec/hash.h"
 #include "common/garment/garment.h"
+#include "common/garment/shop_statement.h"
 
 namespace fitroom {
 
@@ -32,7 +33,7 @@ struct GarmentRecord {
   int64_t publish_time_unix_s = 0;
 };
 
-// Returns the image's id in its name: "front-photo", "back-mask", …, "extraction".
+// Returns the image's id in its name: "front-photo", "back-mask", "side-folded-texture", …, "extraction".
 std::string ImageId(GarmentImageKind kind, GarmentSide side);
 
 // What a photograph is before its bytes are sent.
@@ -52,6 +53,7 @@ struct GarmentUploadStatement {
   double length = 0.0;  // (unit: metre)
   std::vector<PhotoStatement> photos;
   std::string annotation_json;  // Points set by hand; may be empty.
+  ShopStatement stated;         // Fabric, size chart and measures by tape.
 
   friend bool operator==(const GarmentUploadStatement&, const GarmentUploadStatement&) = default;
 };

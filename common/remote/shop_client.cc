@@ -14,6 +14,19 @@ namespace fitroom::remote {
 
 using shop::v1::GarmentService;
 
+namespace {
+
+bool IsAsStated(const Garment& garment, const ShopStatement& stated) {
+  const auto is_kept = [&](const GarmentMeasure& measure) {
+    const GarmentMeasure* known = FindMeasure(garment.measures, measure.name);
+    return known != nullptr && *known == measure;
+  };
+  return garment.fabric == stated.fabric && garment.chart == stated.chart &&
+         std::all_of(stated.measures.begin(), stated.measures.end(), is_kept);
+}
+
+}  // namespace
+
 struct ShopClient::Impl {
   std::string server;
   std::unique_ptr<GarmentService::Stub> stub;
@@ -101,7 +114,8 @@ Result<GarmentRecord> ShopClient::Publish(const GarmentUploadStatement& statemen
   // The garment as it stands, if it is the stated one: an acknowledgement may have been lost on its way.
   const auto find_published = [&]() -> Result<GarmentRecord> {
     FR_ASSIGN_OR_RETURN(GarmentRecord record, GetGarment(statement.id));
-    bool is_same = record.garment.kind == statement.kind && record.garment.length == statement.length;
+    bool is_same = record.garment.kind == statement.kind && record.garment.length == statement.length &&
+                   IsAsStated(record.garment, statement.stated);
     for (const PhotoStatement& photo : statement.photos) {
       is_same =
           is_same && std::any_of(record.images.begin(), record.images.end(), [&](const GarmentImageRecord& image) {

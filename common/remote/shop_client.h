@@ -29,8 +29,8 @@ class ShopClient {
   ~ShopClient();
 
   // Publishes a garment and returns it. `photos` are the bytes, in the order of the statement. Goes on with an upload
-  // that an earlier call left, and after a cut. A garment that is there already with the same photographs, kind and
-  // length is returned as it is.
+  // that an earlier call left, and after a cut. A garment that is there already with the same photographs, kind,
+  // length, fabric, measures and size chart is returned as it is.
   Result<GarmentRecord> Publish(const GarmentUploadStatement& statement, const std::vector<std::string_view>& photos,
                                 const ProgressSink& progress);
 

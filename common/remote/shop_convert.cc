@@ -1,6 +1,7 @@
 #include "common/remote/shop_convert.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -44,6 +45,82 @@ static_assert(static_cast<int>(GarmentImageKind::kPhoto) + 1 == shop::v1::IMAGE_
 static_assert(static_cast<int>(GarmentImageKind::kMask) + 1 == shop::v1::IMAGE_KIND_MASK);
 static_assert(static_cast<int>(GarmentImageKind::kTexture) + 1 == shop::v1::IMAGE_KIND_TEXTURE);
 static_assert(static_cast<int>(GarmentImageKind::kExtraction) + 1 == shop::v1::IMAGE_KIND_EXTRACTION);
+
+static_assert(static_cast<int>(GarmentSide::kFront) + 1 == shop::v1::GARMENT_SIDE_FRONT);
+static_assert(static_cast<int>(GarmentSide::kBack) + 1 == shop::v1::GARMENT_SIDE_BACK);
+static_assert(static_cast<int>(GarmentSide::kSideFolded) + 1 == shop::v1::GARMENT_SIDE_SIDE_FOLDED);
+static_assert(static_cast<int>(Provenance::kMeasured) + 1 == shop::v1::MEASURE_PROVENANCE_MEASURED);
+static_assert(static_cast<int>(Provenance::kStated) + 1 == shop::v1::MEASURE_PROVENANCE_STATED);
+static_assert(static_cast<int>(Provenance::kRuled) + 1 == shop::v1::MEASURE_PROVENANCE_RULED);
+static_assert(static_cast<int>(Provenance::kUnknown) + 1 == shop::v1::MEASURE_PROVENANCE_UNKNOWN);
+
+// In the order of shop::v1::Fabric, whose first is 1.
+constexpr std::array<std::string_view, 4> kFabrics = {"jersey", "woven", "denim", "stretch"};
+static_assert(shop::v1::Fabric_MAX == kFabrics.size());
+
+shop::v1::Fabric FabricToProto(std::string_view fabric) {
+  const auto place = std::find(kFabrics.begin(), kFabrics.end(), fabric);
+  if (place == kFabrics.end()) return shop::v1::FABRIC_UNSPECIFIED;
+  return static_cast<shop::v1::Fabric>(place - kFabrics.begin() + 1);
+}
+
+Result<std::string> FabricFromProto(shop::v1::Fabric fabric) {
+  if (fabric == shop::v1::FABRIC_UNSPECIFIED) return std::string(kFabrics[0]);
+  if (fabric < 1 || fabric > shop::v1::Fabric_MAX)
+    return FieldInvalid("fabric", "not a fabric that this program knows");
+  return std::string(kFabrics[static_cast<size_t>(fabric) - 1]);
+}
+
+using MeasureMessages = google::protobuf::RepeatedPtrField<shop::v1::GarmentMeasure>;
+
+void MeasuresToProto(const std::vector<GarmentMeasure>& measures, MeasureMessages& messages) {
+  for (const GarmentMeasure& measure : measures) {
+    shop::v1::GarmentMeasure* added = messages.Add();
+    added->set_measure(measure.name);
+    added->set_length_m(measure.value);
+    added->set_provenance(static_cast<shop::v1::MeasureProvenance>(static_cast<int>(measure.provenance) + 1));
+  }
+}
+
+// What a shop states is whole tenths of a millimetre, so that every way to write it down gives the same number.
+std::vector<GarmentMeasure> StatedFromProto(const MeasureMessages& messages) {
+  std::vector<GarmentMeasure> measures;
+  for (const shop::v1::GarmentMeasure& message : messages) {
+    measures.push_back({message.measure(), std::round(message.length_m() * 1e4) / 1e4, Provenance::kStated});
+  }
+  return measures;
+}
+
+Result<std::vector<GarmentMeasure>> MeasuresFromProto(const MeasureMessages& messages) {
+  std::vector<GarmentMeasure> measures;
+  for (const shop::v1::GarmentMeasure& message : messages) {
+    if (message.provenance() < 0 || message.provenance() > shop::v1::MeasureProvenance_MAX) {
+      return FieldInvalid("measures.provenance", "not a provenance that this program knows");
+    }
+    const int provenance = std::max(static_cast<int>(message.provenance()), 1) - 1;
+    measures.push_back({message.measure(), message.length_m(), static_cast<Provenance>(provenance)});
+  }
+  return measures;
+}
+
+void ChartToProto(const SizeChart& chart, shop::v1::SizeChart& message) {
+  message.set_photographed_size(chart.photographed_size);
+  for (const GarmentSize& size : chart.sizes) {
+    shop::v1::GarmentSize* added = message.add_sizes();
+    added->set_size(size.name);
+    MeasuresToProto(size.measures, *added->mutable_measures());
+    MeasuresToProto(size.body, *added->mutable_cut_for());
+  }
+}
+
+SizeChart ChartFromProto(const shop::v1::SizeChart& message) {
+  SizeChart chart;
+  chart.photographed_size = message.photographed_size();
+  for (const shop::v1::GarmentSize& size : message.sizes()) {
+    chart.sizes.push_back({size.size(), StatedFromProto(size.measures()), StatedFromProto(size.cut_for())});
+  }
+  return chart;
+}
 
 Result<GarmentKind> KindFromProto(shop::v1::GarmentKind kind) {
   if (kind < shop::v1::GARMENT_KIND_TSHIRT || kind > shop::v1::GARMENT_KIND_ONE_PIECE_SLEEVED) {
@@ -145,13 +222,14 @@ Result<ImageName> ImageNameFrom(std::string_view name) {
 }
 
 shop::v1::GarmentSide ToProto(GarmentSide side) {
-  return side == GarmentSide::kFront ? shop::v1::GARMENT_SIDE_FRONT : shop::v1::GARMENT_SIDE_BACK;
+  return static_cast<shop::v1::GarmentSide>(static_cast<int>(side) + 1);
 }
 
 Result<GarmentSide> SideFromProto(shop::v1::GarmentSide side) {
-  if (side == shop::v1::GARMENT_SIDE_FRONT) return GarmentSide::kFront;
-  if (side == shop::v1::GARMENT_SIDE_BACK) return GarmentSide::kBack;
-  return FieldInvalid("side", "expected GARMENT_SIDE_FRONT or GARMENT_SIDE_BACK");
+  if (side < shop::v1::GARMENT_SIDE_FRONT || side > shop::v1::GARMENT_SIDE_SIDE_FOLDED) {
+    return FieldInvalid("side", "expected GARMENT_SIDE_FRONT, GARMENT_SIDE_BACK or GARMENT_SIDE_SIDE_FOLDED");
+  }
+  return static_cast<GarmentSide>(static_cast<int>(side) - 1);
 }
 
 void ToProto(const GarmentRecord& record, shop::v1::Garment& message) {
@@ -162,6 +240,7 @@ void ToProto(const GarmentRecord& record, shop::v1::Garment& message) {
   message.set_length_m(garment.length);
   ViewToProto(garment.front, *message.add_views());
   if (garment.back) ViewToProto(*garment.back, *message.add_views());
+  if (garment.side_folded) ViewToProto(*garment.side_folded, *message.add_views());
   for (const GarmentImageRecord& image : record.images) {
     shop::v1::GarmentImage* added = message.add_images();
     added->set_name(ToString(ImageName{garment.id, ImageId(image.kind, image.side)}));
@@ -172,11 +251,9 @@ void ToProto(const GarmentRecord& record, shop::v1::Garment& message) {
     added->set_file_name(image.file_name);
   }
   message.mutable_publish_time()->set_seconds(record.publish_time_unix_s);
-  for (const GarmentMeasure& measure : garment.measures) {
-    shop::v1::GarmentMeasure* added = message.add_measures();
-    added->set_measure(measure.name);
-    added->set_length_m(measure.value);
-  }
+  MeasuresToProto(garment.measures, *message.mutable_measures());
+  message.set_fabric(FabricToProto(garment.fabric));
+  if (!garment.chart.sizes.empty()) ChartToProto(garment.chart, *message.mutable_chart());
 }
 
 Result<GarmentRecord> GarmentRecordFromProto(const shop::v1::Garment& message) {
@@ -198,13 +275,13 @@ Result<GarmentRecord> GarmentRecordFromProto(const shop::v1::Garment& message) {
       garment.front = std::move(known);
       has_front = true;
     } else {
-      garment.back = std::move(known);
+      (known.side == GarmentSide::kBack ? garment.back : garment.side_folded) = std::move(known);
     }
   }
   if (!has_front) return FieldInvalid("views", "the front is missing");
-  for (const shop::v1::GarmentMeasure& measure : message.measures()) {
-    garment.measures.push_back({measure.measure(), measure.length_m()});
-  }
+  FR_ASSIGN_OR_RETURN(garment.measures, MeasuresFromProto(message.measures()));
+  FR_ASSIGN_OR_RETURN(garment.fabric, FabricFromProto(message.fabric()));
+  garment.chart = ChartFromProto(message.chart());
   record.publish_time_unix_s = message.publish_time().seconds();
   return record;
 }
@@ -221,6 +298,9 @@ void ToProto(const GarmentUploadStatement& statement, shop::v1::StartGarmentUplo
     added->set_blake2b_256(std::string(photo.hash.view()));
   }
   message.set_annotation_json(statement.annotation_json);
+  message.set_fabric(FabricToProto(statement.stated.fabric));
+  MeasuresToProto(statement.stated.measures, *message.mutable_stated_measures());
+  if (!statement.stated.chart.sizes.empty()) ChartToProto(statement.stated.chart, *message.mutable_chart());
 }
 
 Result<GarmentUploadStatement> StatementFromProto(const shop::v1::StartGarmentUploadRequest& message) {
@@ -246,11 +326,18 @@ Result<GarmentUploadStatement> StatementFromProto(const shop::v1::StartGarmentUp
     FR_ASSIGN_OR_RETURN(known.hash, HashFromProto(photo.blake2b_256()));
     statement.photos.push_back(known);
   }
+  if (FindPhoto(statement, GarmentSide::kSideFolded) && !HasLegs(statement.kind)) {
+    return FieldInvalid("photos", "a side-folded photograph belongs to pants and shorts alone");
+  }
   if (!FindPhoto(statement, GarmentSide::kFront)) return FieldInvalid("photos", "the front is missing");
   if (message.annotation_json().size() > kMaxAnnotationSize) {
     return FieldInvalid("annotation_json", "longer than 262144 bytes");
   }
   statement.annotation_json = message.annotation_json();
+  FR_ASSIGN_OR_RETURN(statement.stated.fabric, FabricFromProto(message.fabric()));
+  statement.stated.measures = StatedFromProto(message.stated_measures());
+  statement.stated.chart = ChartFromProto(message.chart());
+  FR_RETURN_IF_ERROR(ValidateShopStatement(statement.kind, statement.stated));
   return statement;
 }
 

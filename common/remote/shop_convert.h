@@ -13,6 +13,7 @@ void ToProto(const GarmentRecord& record, shop::v1::Garment& message);
 Result<GarmentRecord> GarmentRecordFromProto(const shop::v1::Garment& message);
 
 void ToProto(const GarmentUploadStatement& statement, shop::v1::StartGarmentUploadRequest& message);
+// Checks all that can be checked without the photographs; also the errors of ValidateShopStatement().
 Result<GarmentUploadStatement> StatementFromProto(const shop::v1::StartGarmentUploadRequest& message);
 
 void ToProto(const GarmentUpload& upload, shop::v1::GarmentUpload& message);

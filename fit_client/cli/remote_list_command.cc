@@ -57,22 +57,32 @@ Status ListBodies(const ListOptions& options) {
   return Status();
 }
 
+// The names of a garment's sizes, the smallest first; none where only the photographed one exists.
+std::string SizeNames(const SizeChart& chart) {
+  std::string names;
+  for (const GarmentSize& size : chart.sizes) names += (names.empty() ? "" : " ") + Plain(size.name);
+  return names.empty() ? "-" : names;
+}
+
 Status ListGarments(const ListOptions& options) {
   remote::ShopClient client(options.server);
   FR_ASSIGN_OR_RETURN(const std::vector<GarmentRecord> records, client.ListAllGarments());
   Json json = Json::array();
-  if (!options.json) std::printf("%-36s %-12s %10s  %s\n", "NAME", "KIND", "LENGTH cm", "TITLE");
+  if (!options.json) std::printf("%-36s %-17s %10s  %-24s  %s\n", "NAME", "KIND", "LENGTH cm", "SIZES", "TITLE");
   for (const GarmentRecord& record : records) {
     const Garment& garment = record.garment;
     if (options.json) {
       json.push_back({{"name", "garments/" + garment.id},
                       {"title", garment.title},
                       {"kind", GarmentKindName(garment.kind)},
-                      {"length_cm", garment.length * 100}});
+                      {"length_cm", garment.length * 100},
+                      {"fabric", garment.fabric},
+                      {"sizes", Json::array()}});
+      for (const GarmentSize& size : garment.chart.sizes) json.back()["sizes"].push_back(size.name);
     } else {
-      std::printf("%-36s %-12s %10.1f  %s\n", ("garments/" + garment.id).c_str(),
+      std::printf("%-36s %-17s %10.1f  %-24s  %s\n", ("garments/" + garment.id).c_str(),
                   std::string(GarmentKindName(garment.kind)).c_str(), garment.length * 100,
-                  Plain(garment.title).c_str());
+                  SizeNames(garment.chart).c_str(), Plain(garment.title).c_str());
     }
   }
   if (options.json) Print(json);

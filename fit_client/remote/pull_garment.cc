@@ -35,7 +35,9 @@ Status CheckRecord(const GarmentRecord& record) {
   const auto has_files = [&names](const GarmentView& view) {
     return names.contains(view.photo_file) && names.contains(view.mask_file) && names.contains(view.texture_file);
   };
-  if (!has_files(record.garment.front) || (record.garment.back && !has_files(*record.garment.back))) {
+  const Garment& garment = record.garment;
+  if (!has_files(garment.front) || (garment.back && !has_files(*garment.back)) ||
+      (garment.side_folded && !has_files(*garment.side_folded))) {
     return InvalidArgument("GARMENT_FILE_MISSING", "the shop does not offer all images of the garment");
   }
   return Status();

@@ -1,8 +1,10 @@
 #include "shop_catalog/cli/garment_table.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <ctime>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -35,15 +37,73 @@ std::string Plain(std::string text) {
   return text;
 }
 
-const char* SideName(GarmentSide side) { return side == GarmentSide::kFront ? "front" : "back"; }
-
 void PrintView(const GarmentView& view, std::ostream& out) {
-  out << Format("  %-8s %d x %d pixels, %.3f mm a pixel\n", SideName(view.side), view.image_width, view.image_height,
-                view.metre_per_pixel * 1000);
+  out << Format("  %-11s %d x %d pixels, %.3f mm a pixel\n", std::string(GarmentSideName(view.side)).c_str(),
+                view.image_width, view.image_height, view.metre_per_pixel * 1000);
   for (const OutlinePoint& point : view.points) {
     out << Format("    %-16s %8.1f %8.1f  confidence %.2f\n", Plain(point.name).c_str(), point.pixel.x(),
                   point.pixel.y(), point.confidence);
   }
+}
+
+// One line a size, one column a measure that any size states.
+void PrintChart(const Garment& garment, std::ostream& out) {
+  struct Column {
+    std::string name;
+    bool is_body;
+  };
+  std::vector<Column> columns;
+  for (const std::string& name : MeasureNames(garment.kind)) columns.push_back({name, false});
+  for (const char* name : {"bust", "waist", "hip"}) columns.push_back({name, true});
+  const auto measure_of = [](const GarmentSize& size, const Column& column) {
+    return FindMeasure(column.is_body ? size.body : size.measures, column.name);
+  };
+  const std::vector<GarmentSize>& sizes = garment.chart.sizes;
+  std::erase_if(columns, [&](const Column& column) {
+    return std::none_of(sizes.begin(), sizes.end(),
+                        [&](const GarmentSize& size) { return measure_of(size, column) != nullptr; });
+  });
+  out << "  sizes, flat cm" << (columns.back().is_body ? "; for a body's girth in cm" : "") << "\n"
+      << Format("    %-16s", "");
+  const auto head_of = [](const Column& column) { return (column.is_body ? "body " : "") + column.name; };
+  for (const Column& column : columns) out << "  " << head_of(column);
+  out << "\n";
+  for (const GarmentSize& size : sizes) {
+    out << Format("  %s %-16s", size.name == garment.chart.photographed_size ? "*" : " ", Plain(size.name).c_str());
+    for (const Column& column : columns) {
+      const int width = static_cast<int>(head_of(column).size()) + 2;
+      const GarmentMeasure* measure = measure_of(size, column);
+      out << (measure == nullptr ? Format("%*s", width, "-") : Format("%*.1f", width, measure->value * 100));
+    }
+    out << "\n";
+  }
+  out << "  * is the size on the photographs\n";
+}
+
+void PrintMeasure(const GarmentMeasure& measure, std::ostream& out) {
+  const std::string name = Plain(measure.name);
+  if (measure.provenance == Provenance::kUnknown) {
+    out << Format("  %-16s      -     unknown\n", name.c_str());
+    return;
+  }
+  const bool is_measured = measure.provenance == Provenance::kMeasured;
+  out << Format("  %-16s %6.1f cm  %s\n", name.c_str(), measure.value * 100,
+                is_measured ? "" : std::string(ProvenanceName(measure.provenance)).c_str());
+}
+
+Json MeasuresToJson(const std::vector<GarmentMeasure>& measures) {
+  Json json = Json::object();
+  for (const GarmentMeasure& measure : measures) json[measure.name] = measure.value * 100;
+  return json;
+}
+
+Json ChartToJson(const SizeChart& chart) {
+  Json json = {{"photographed_size", chart.photographed_size}, {"sizes", Json::array()}};
+  for (const GarmentSize& size : chart.sizes) {
+    json["sizes"].push_back(
+        {{"size", size.name}, {"measures_cm", MeasuresToJson(size.measures)}, {"body_cm", MeasuresToJson(size.body)}});
+  }
+  return json;
 }
 
 Json ViewToJson(const GarmentView& view) {
@@ -64,9 +124,14 @@ Json ToJson(const GarmentRecord& record) {
                {"kind", GarmentKindName(garment.kind)},
                {"length_cm", garment.length * 100},
                {"publish_time_unix_s", record.publish_time_unix_s},
-               {"measures_cm", Json::object()},
+               {"fabric", garment.fabric},
+               {"measures_cm", MeasuresToJson(garment.measures)},
+               {"provenance", Json::object()},
                {"images", Json::array()}};
-  for (const GarmentMeasure& measure : garment.measures) json["measures_cm"][measure.name] = measure.value * 100;
+  for (const GarmentMeasure& measure : garment.measures) {
+    json["provenance"][measure.name] = ProvenanceName(measure.provenance);
+  }
+  if (!garment.chart.sizes.empty()) json["chart"] = ChartToJson(garment.chart);
   for (const GarmentImageRecord& image : record.images) {
     json["images"].push_back({{"image", ImageId(image.kind, image.side)},
                               {"file_name", image.file_name},
@@ -75,6 +140,7 @@ Json ToJson(const GarmentRecord& record) {
   }
   json["front"] = ViewToJson(garment.front);
   if (garment.back) json["back"] = ViewToJson(*garment.back);
+  if (garment.side_folded) json["side_folded"] = ViewToJson(*garment.side_folded);
   return json;
 }
 
@@ -85,12 +151,13 @@ std::string Dump(const Json& json) {
 }  // namespace
 
 void PrintGarmentTable(std::span<const GarmentRecord> records, std::ostream& out) {
-  out << Format("%-32s %-12s %9s %-20s %s\n", "NAME", "KIND", "LENGTH cm", "PUBLISHED", "TITLE");
+  out << Format("%-32s %-17s %9s %5s %-20s %s\n", "NAME", "KIND", "LENGTH cm", "SIZES", "PUBLISHED", "TITLE");
   for (const GarmentRecord& record : records) {
     const Garment& garment = record.garment;
-    out << Format("%-32s %-12s %9.1f %-20s %s\n", ("garments/" + garment.id).c_str(),
+    out << Format("%-32s %-17s %9.1f %5zu %-20s %s\n", ("garments/" + garment.id).c_str(),
                   std::string(GarmentKindName(garment.kind)).c_str(), garment.length * 100,
-                  TimeText(record.publish_time_unix_s).c_str(), Plain(garment.title).c_str());
+                  std::max<size_t>(garment.chart.sizes.size(), 1), TimeText(record.publish_time_unix_s).c_str(),
+                  Plain(garment.title).c_str());
   }
 }
 
@@ -101,11 +168,12 @@ void PrintGarment(const GarmentRecord& record, std::ostream& out) {
       << "  kind     " << GarmentKindName(garment.kind) << "\n"
       << Format("  length   %.1f cm\n", garment.length * 100) << "  since    " << TimeText(record.publish_time_unix_s)
       << "\n";
-  for (const GarmentMeasure& measure : garment.measures) {
-    out << Format("  %-16s %6.1f cm\n", Plain(measure.name).c_str(), measure.value * 100);
-  }
+  out << "  fabric   " << Plain(garment.fabric) << "\n";
+  for (const GarmentMeasure& measure : garment.measures) PrintMeasure(measure, out);
+  if (!garment.chart.sizes.empty()) PrintChart(garment, out);
   PrintView(garment.front, out);
   if (garment.back) PrintView(*garment.back, out);
+  if (garment.side_folded) PrintView(*garment.side_folded, out);
   out << "  images\n";
   for (const GarmentImageRecord& image : record.images) {
     out << Format("    %-16s %10lld bytes  %s\n", ImageId(image.kind, image.side).c_str(),

@@ -11,6 +11,8 @@
 #include "common/base/progress.h"
 #include "common/base/resource_name.h"
 #include "common/garment/garment_folder.h"
+#include "common/garment/size_chart_file.h"
+#include "common/garment/validate.h"
 #include "common/remote/shop_client.h"
 #include "shop_catalog/cli/commands.h"
 #include "shop_catalog/cli/garment_table.h"
@@ -21,12 +23,16 @@ namespace {
 namespace fs = std::filesystem;
 
 struct PublishOptions {
-  fs::path front, back;
+  fs::path front, back, side_folded;
   std::string kind = "tshirt";
   double length_cm = 0;  // 0: not stated.
   std::string id, title;
   fs::path annotation;
-  fs::path extracted;  // A folder that `extract` wrote.
+  std::string fabric;  // Empty: not stated.
+  fs::path chart;
+  std::string photographed_size;
+  std::vector<std::string> measures;  // NAME=CM.
+  fs::path extracted;                 // A folder that `extract` wrote.
   std::string server = kDefaultServer;
   bool json = false;
 };
@@ -34,13 +40,15 @@ struct PublishOptions {
 // The points of an extracted garment as an annotation, so that what a person has looked at is what is published.
 std::string AnnotationOf(const Garment& garment) {
   nlohmann::ordered_json json;
-  const auto add = [&json](const char* side, const GarmentView& view) {
+  const auto add = [&json](const GarmentView& view) {
+    nlohmann::ordered_json& points = json[std::string(GarmentSideName(view.side))];
     for (const OutlinePoint& point : view.points) {
-      json[side][point.name] = {{"pixel", {point.pixel.x(), point.pixel.y()}}, {"confidence", point.confidence}};
+      points[point.name] = {{"pixel", {point.pixel.x(), point.pixel.y()}}, {"confidence", point.confidence}};
     }
   };
-  add("front", garment.front);
-  if (garment.back) add("back", *garment.back);
+  add(garment.front);
+  if (garment.back) add(*garment.back);
+  if (garment.side_folded) add(*garment.side_folded);
   return json.dump();
 }
 
@@ -49,12 +57,34 @@ Status FillFromExtracted(PublishOptions& options, GarmentUploadStatement& statem
   FR_ASSIGN_OR_RETURN(const Garment garment, ReadGarmentFolder(options.extracted));
   options.front = options.extracted / garment.front.photo_file;
   if (garment.back) options.back = options.extracted / garment.back->photo_file;
+  if (garment.side_folded) options.side_folded = options.extracted / garment.side_folded->photo_file;
   if (options.id.empty()) options.id = garment.id;
   if (options.title.empty()) options.title = garment.title;
   if (options.length_cm == 0) options.length_cm = garment.length * 100;
   options.kind = GarmentKindName(garment.kind);
   statement.annotation_json = AnnotationOf(garment);
+  statement.stated.fabric = garment.fabric;
+  statement.stated.chart = garment.chart;
+  for (const GarmentMeasure& measure : garment.measures) {
+    if (measure.provenance == Provenance::kStated) statement.stated.measures.push_back(measure);
+  }
   return Status();
+}
+
+// Adds what was stated on the command line; it stands in for what the folder of an extraction says.
+Status AddStated(const PublishOptions& options, GarmentKind kind, ShopStatement& stated) {
+  if (!options.fabric.empty()) stated.fabric = options.fabric;
+  if (!options.chart.empty()) {
+    FR_ASSIGN_OR_RETURN(stated.chart, ReadSizeChartFile(options.chart, kind, options.photographed_size));
+  } else if (!options.photographed_size.empty()) {
+    stated.chart.photographed_size = options.photographed_size;
+  }
+  for (const std::string& text : options.measures) {
+    FR_ASSIGN_OR_RETURN(const GarmentMeasure measure, StatedMeasureFromText(text, kind));
+    std::erase_if(stated.measures, [&](const GarmentMeasure& known) { return known.name == measure.name; });
+    stated.measures.push_back(measure);
+  }
+  return ValidateShopStatement(kind, stated);
 }
 
 Status AddPhoto(GarmentSide side, const fs::path& path, GarmentUploadStatement& statement,
@@ -73,8 +103,9 @@ Status MakeStatement(PublishOptions options, GarmentUploadStatement& statement, 
   }
   const std::optional<GarmentKind> kind = GarmentKindFromName(options.kind);
   if (!kind) {
-    return InvalidArgument("KIND_UNKNOWN",
-                           options.kind + ": expected tshirt, long_sleeve, one_piece, skirt, pants or shorts");
+    return InvalidArgument("KIND_UNKNOWN", options.kind +
+                                               ": expected tshirt, long_sleeve, one_piece, "
+                                               "one_piece_sleeved, skirt, pants or shorts");
   }
   if (!IsResourceId(options.id)) {
     return InvalidArgument("ID_INVALID", "state the garment's id with --id: 1 to 63 of a-z, 0-9 and -");
@@ -87,8 +118,12 @@ Status MakeStatement(PublishOptions options, GarmentUploadStatement& statement, 
   statement.title = options.title.empty() ? options.id : options.title;
   statement.kind = *kind;
   statement.length = options.length_cm / 100;
+  FR_RETURN_IF_ERROR(AddStated(options, *kind, statement.stated));
   FR_RETURN_IF_ERROR(AddPhoto(GarmentSide::kFront, options.front, statement, photos));
   if (!options.back.empty()) FR_RETURN_IF_ERROR(AddPhoto(GarmentSide::kBack, options.back, statement, photos));
+  if (!options.side_folded.empty()) {
+    FR_RETURN_IF_ERROR(AddPhoto(GarmentSide::kSideFolded, options.side_folded, statement, photos));
+  }
   return Status();
 }
 
@@ -118,13 +153,23 @@ void AddPublishCommand(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<PublishOptions>();
   command->add_option("--front", options->front, "Front photograph: JPEG, PNG or WebP");
   command->add_option("--back", options->back, "Back photograph; without it the front serves for both");
-  command->add_option("--kind", options->kind, "tshirt, long_sleeve, …")->capture_default_str();
-  command->add_option("--length-cm", options->length_cm, "From the highest shoulder point to the hem, laid flat");
+  command->add_option("--side-folded", options->side_folded,
+                      "Of pants and shorts: photograph with one leg laid over the other, which shows the crotch curve");
+  command
+      ->add_option("--kind", options->kind, "tshirt, long_sleeve, one_piece, one_piece_sleeved, skirt, pants or shorts")
+      ->capture_default_str();
+  command->add_option("--length-cm", options->length_cm,
+                      "From the highest shoulder point, or the waist, to the hem, laid flat");
+  command->add_option("--fabric", options->fabric, "jersey (if not given), woven, denim or stretch");
+  command->add_option("--measure", options->measures,
+                      "NAME=CM, a flat measure by tape, for example front_rise=24.5; may be repeated");
+  command->add_option("--chart", options->chart, SizeChartFileHelp());
+  command->add_option("--photographed-size", options->photographed_size, "Which size of the chart was photographed");
   command->add_option("--id", options->id, "The garment's id: a-z, 0-9 and -");
   command->add_option("--title", options->title, "For people; the id if not given");
   command->add_option("--annotation", options->annotation, "JSON of points set by hand, instead of detected ones");
   command->add_option("--extracted", options->extracted,
-                      "Folder that `extract` wrote: photographs, kind, length and points are taken from it");
+                      "Folder that `extract` wrote: photographs, kind, length, points and chart are taken from it");
   command->add_option(kServerOption, options->server, "Address of the shop")
       ->envname(kServerVariable)
       ->capture_default_str();

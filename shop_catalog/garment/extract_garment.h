@@ -22,7 +22,7 @@ struct ExtractionRequest {
   double length = 0.0;                          // From the highest shoulder point to the hem, flat (unit: metre).
   std::string_view front_photo;                 // JPEG, PNG or WebP, as received.
   std::string_view back_photo;                  // Empty: the garment has no back view.
-  std::string_view side_folded_photo;           // Of a bottom with legs; empty: none.
+  std::string_view side_folded_photo = {};      // Of a bottom with legs; empty: none.
   const PointAnnotation* annotation = nullptr;  // Points given by hand, used instead of detected ones where present.
   const ShopStatement* statement = nullptr;     // Fabric, size chart and measures by tape; may be null.
   // Polled between the steps; true ends the extraction with CANCELLED. May be empty.

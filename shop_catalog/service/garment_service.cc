@@ -216,6 +216,11 @@ ServerUnaryReactor* GarmentServiceImpl::ListGarments(CallbackServerContext* cont
         view.clear_outline_xy_px();
         view.clear_points();
       }
+      if (!garment->has_chart()) continue;
+      for (v1::GarmentSize& size : *garment->mutable_chart()->mutable_sizes()) {
+        size.clear_measures();
+        size.clear_cut_for();
+      }
     }
     return Status();
   });

@@ -1,8 +1,10 @@
 #include "shop_catalog/service/publication.h"
 
+#include <array>
 #include <ctime>
 #include <utility>
 
+#include "common/garment/validate.h"
 #include "common/image/decode.h"
 
 namespace fitroom::shop_catalog {
@@ -17,15 +19,17 @@ bool IsFinal(const Status& status) {
          status.code() != StatusCode::kInternal;
 }
 
+// The photographs by side; empty where none is stated.
 struct PhotoBytes {
-  std::string front, back;  // Empty where none is stated.
+  std::array<std::string, kGarmentSideCount> by_side;
+
+  const std::string& at(GarmentSide side) const { return by_side[static_cast<size_t>(side)]; }
 };
 
 Result<PhotoBytes> ReadPhotos(GarmentStore& store, const GarmentUpload& upload) {
   PhotoBytes photos;
   for (const PhotoStatement& photo : upload.statement.photos) {
-    std::string& bytes = photo.side == GarmentSide::kFront ? photos.front : photos.back;
-    FR_ASSIGN_OR_RETURN(bytes, store.ReadUpload(upload.id, photo.side));
+    FR_ASSIGN_OR_RETURN(photos.by_side[static_cast<size_t>(photo.side)], store.ReadUpload(upload.id, photo.side));
   }
   return photos;
 }
@@ -33,7 +37,7 @@ Result<PhotoBytes> ReadPhotos(GarmentStore& store, const GarmentUpload& upload) 
 Result<GarmentExtraction> CheckAndExtract(const GarmentExtractor& extractor, const GarmentUploadStatement& statement,
                                           const PhotoBytes& photos, const std::function<bool()>& is_cancelled) {
   for (const PhotoStatement& photo : statement.photos) {
-    const std::string& bytes = photo.side == GarmentSide::kFront ? photos.front : photos.back;
+    const std::string& bytes = photos.at(photo.side);
     if (std::ssize(bytes) != photo.size || Blake2b(bytes) != photo.hash) {
       return DataLoss("UPLOAD_HASH_MISMATCH", "what arrived is not the photograph that was stated; publish it again");
     }
@@ -43,8 +47,10 @@ Result<GarmentExtraction> CheckAndExtract(const GarmentExtractor& extractor, con
   request.title = statement.title;
   request.kind = statement.kind;
   request.length = statement.length;
-  request.front_photo = photos.front;
-  request.back_photo = photos.back;
+  request.front_photo = photos.at(GarmentSide::kFront);
+  request.back_photo = photos.at(GarmentSide::kBack);
+  request.side_folded_photo = photos.at(GarmentSide::kSideFolded);
+  request.statement = &statement.stated;
   request.is_cancelled = is_cancelled;
   PointAnnotation annotation;
   if (!statement.annotation_json.empty()) {
@@ -53,7 +59,13 @@ Result<GarmentExtraction> CheckAndExtract(const GarmentExtractor& extractor, con
     annotation = std::move(read).value();
     request.annotation = &annotation;
   }
-  return extractor(request);
+  FR_ASSIGN_OR_RETURN(GarmentExtraction extraction, extractor(request));
+  if (!request.side_folded_photo.empty() && !extraction.garment.side_folded) {
+    return Internal("SIDE_FOLDED_MISSING", "the extraction gave no side-folded view");
+  }
+  ApplyShopStatement(statement.stated, extraction.garment);
+  FR_RETURN_IF_ERROR(ValidateGarment(extraction.garment));
+  return extraction;
 }
 
 void DescribeImages(const GarmentView& view, std::vector<GarmentImageRecord>& images) {
@@ -69,6 +81,7 @@ Result<GarmentRecord> MakeRecord(const GarmentExtraction& extraction) {
   record.publish_time_unix_s = std::time(nullptr);
   DescribeImages(record.garment.front, record.images);
   if (record.garment.back) DescribeImages(*record.garment.back, record.images);
+  if (record.garment.side_folded) DescribeImages(*record.garment.side_folded, record.images);
   for (const GarmentFile& file : extraction.files) {
     bool is_named = false;
     for (GarmentImageRecord& image : record.images) {

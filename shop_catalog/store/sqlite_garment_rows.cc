@@ -50,6 +50,12 @@ CREATE TABLE upload_photos (
 CREATE INDEX upload_photos_by_blob ON upload_photos (blob_id);
 )sql";
 
+const char kShopStatementSchema[] = R"sql(
+ALTER TABLE uploads ADD COLUMN statement_json TEXT NOT NULL DEFAULT '{}';
+CREATE INDEX IF NOT EXISTS garment_images_by_blob ON garment_images (blob_id);
+CREATE INDEX IF NOT EXISTS upload_photos_by_blob ON upload_photos (blob_id);
+)sql";
+
 namespace {
 
 std::span<const std::byte> HashBytes(const Hash256& hash) { return std::as_bytes(std::span(hash.bytes)); }
@@ -65,8 +71,10 @@ Result<Hash256> HashFromRow(const Statement& row, int column) {
   return *hash;
 }
 
-GarmentSide SideFromRow(const Statement& row, int column) {
-  return row.Integer(column) == 0 ? GarmentSide::kFront : GarmentSide::kBack;
+Result<GarmentSide> SideFromRow(const Statement& row, int column) {
+  const int64_t side = row.Integer(column);
+  if (side < 0 || side >= kGarmentSideCount) return Corrupt("an unknown side");
+  return static_cast<GarmentSide>(side);
 }
 
 Status SelectImages(Database& database, GarmentRecord& record) {
@@ -80,7 +88,7 @@ Status SelectImages(Database& database, GarmentRecord& record) {
     if (kind < 0 || kind > static_cast<int64_t>(GarmentImageKind::kExtraction)) return Corrupt("an unknown image");
     GarmentImageRecord image;
     image.kind = static_cast<GarmentImageKind>(kind);
-    image.side = SideFromRow(select, 1);
+    FR_ASSIGN_OR_RETURN(image.side, SideFromRow(select, 1));
     image.file_name = select.Text(2);
     image.size = select.Integer(3);
     FR_ASSIGN_OR_RETURN(image.hash, HashFromRow(select, 4));
@@ -107,7 +115,9 @@ Status SelectPhotos(Database& database, UploadRow& row) {
   for (;;) {
     FR_ASSIGN_OR_RETURN(const bool has_row, select.Step());
     if (!has_row) return Status();
-    PhotoStatement photo{.side = SideFromRow(select, 0), .size = select.Integer(1), .hash = {}};
+    PhotoStatement photo;
+    FR_ASSIGN_OR_RETURN(photo.side, SideFromRow(select, 0));
+    photo.size = select.Integer(1);
     FR_ASSIGN_OR_RETURN(photo.hash, HashFromRow(select, 2));
     row.upload.statement.photos.push_back(photo);
     row.blobs.push_back(select.Integer(3));
@@ -118,8 +128,8 @@ Status SelectPhotos(Database& database, UploadRow& row) {
 // `condition` is one of this file's literals over ?1.
 Result<UploadRow> SelectUploadWhere(Database& database, const char* condition, std::string_view key) {
   FR_ASSIGN_OR_RETURN(Statement select,
-                      database.Prepare(std::string("SELECT upload, garment, title, kind, length_m, annotation_json "
-                                                   "FROM uploads WHERE ") +
+                      database.Prepare(std::string("SELECT upload, garment, title, kind, length_m, annotation_json, "
+                                                   "statement_json FROM uploads WHERE ") +
                                        condition));
   FR_ASSIGN_OR_RETURN(const bool has_row, select.Bind(1, key).Step());
   if (!has_row) {
@@ -135,6 +145,9 @@ Result<UploadRow> SelectUploadWhere(Database& database, const char* condition, s
   statement.kind = *kind;
   statement.length = select.Real(4);
   statement.annotation_json = select.Text(5);
+  Result<ShopStatement> stated = ShopStatementFromJson(select.Text(6));
+  if (!stated.ok()) return Corrupt("a statement that cannot be read: " + stated.status().message());
+  statement.stated = std::move(stated).value();
   FR_RETURN_IF_ERROR(SelectPhotos(database, row));
   return row;
 }
@@ -200,10 +213,11 @@ Status InsertUpload(Database& database, const UploadRow& row) {
   const GarmentUploadStatement& statement = row.upload.statement;
   FR_ASSIGN_OR_RETURN(Statement insert,
                       database.Prepare("INSERT INTO uploads (upload, garment, title, kind, length_m, annotation_json, "
-                                       "touch_time_unix_s) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7)"));
+                                       "touch_time_unix_s, statement_json) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)"));
   insert.Bind(1, row.upload.id).Bind(2, statement.id).Bind(3, statement.title);
   insert.Bind(4, GarmentKindName(statement.kind)).Bind(5, statement.length).Bind(6, statement.annotation_json);
-  FR_RETURN_IF_ERROR(insert.Bind(7, int64_t{std::time(nullptr)}).Run());
+  const std::string stated = ShopStatementToJson(statement.stated);
+  FR_RETURN_IF_ERROR(insert.Bind(7, int64_t{std::time(nullptr)}).Bind(8, stated).Run());
   FR_ASSIGN_OR_RETURN(Statement photos, database.Prepare("INSERT INTO upload_photos (upload, position, side, "
                                                          "size_bytes, blake2b_256, blob_id) "
                                                          "VALUES (?1, ?2, ?3, ?4, ?5, ?6)"));

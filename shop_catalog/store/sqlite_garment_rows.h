@@ -11,6 +11,8 @@ namespace fitroom::shop_catalog {
 
 // The tables beside those of the blobs; part of the first migration.
 extern const char kGarmentSchema[];
+// The second migration: what shops state of an upload, and the indexes that the first databases were made without.
+extern const char kShopStatementSchema[];
 
 // Inserts a garment with its images; `blobs` are theirs, in their order.
 Status InsertGarment(sqlite::Database& database, const GarmentRecord& record, const std::vector<int64_t>& blobs);

@@ -214,7 +214,7 @@ Result<std::unique_ptr<GarmentStore>> OpenSqliteGarmentStore(const std::filesyst
   const std::filesystem::path path = folder / "shop_catalog.sqlite";
   FR_ASSIGN_OR_RETURN(Database writer, Database::Open(path, sqlite::Access::kReadWrite));
   const std::string first = std::string(sqlite::kBlobSchema) + kGarmentSchema;
-  const std::array<const char*, 1> migrations = {first.c_str()};
+  const std::array<const char*, 2> migrations = {first.c_str(), kShopStatementSchema};
   FR_RETURN_IF_ERROR(writer.Migrate(migrations));
   FR_ASSIGN_OR_RETURN(Database reader, Database::Open(path, sqlite::Access::kReadOnly));
   return std::unique_ptr<GarmentStore>(

@@ -107,6 +107,23 @@ TEST_F(PullTest, AGarmentIsThereWithoutTheServer) {
   EXPECT_TRUE(*ReadFile(*folder / garment->back->photo_file, 1 << 20) == FakePhoto(4, 400000));
 }
 
+TEST_F(PullTest, ChartAndSideFoldedPhotographComeAlong) {
+  const std::vector<std::string> photos = {FakePhoto(1, 2000), FakePhoto(2, 2000), FakePhoto(3, 300000)};
+  const std::vector<std::string_view> views(photos.begin(), photos.end());
+  const GarmentUploadStatement statement = testing::TrouserStatementOf("jeans", views);
+  ASSERT_TRUE(shop_->Publish(statement, views, {}).ok());
+  ASSERT_TRUE(PullGarment(*shop_, cache_, "jeans", {}).ok());
+  StopServers();
+  const Result<fs::path> folder = CachedGarmentFolder("jeans");
+  ASSERT_TRUE(folder.ok()) << folder.status().ToString();
+  const Result<Garment> garment = ReadGarmentFolder(*folder);
+  ASSERT_TRUE(garment.ok()) << garment.status().ToString();
+  EXPECT_EQ(garment->chart, statement.stated.chart);
+  EXPECT_EQ(garment->fabric, "denim");
+  ASSERT_TRUE(garment->side_folded.has_value());
+  EXPECT_TRUE(*ReadFile(*folder / garment->side_folded->photo_file, 1 << 20) == photos[2]);
+}
+
 TEST_F(PullTest, SaysHowToPullWhatIsMissing) {
   EXPECT_EQ(FindCachedScan("ann").status().reason(), "BODY_NOT_PULLED");
   EXPECT_THAT(LoadCachedBody("ann/one").status().message(), HasSubstr("fit_client pull bodies/ann/scans/one"));

@@ -16,6 +16,7 @@
 #include "common/rpc/status_conversion.h"
 #include "fitroom/shop/v1/garment_service.grpc.pb.h"
 #include "shop_catalog/service/shop_server.h"
+#include "tests/support/sample_garment.h"
 #include "tests/support/service/fake_garment.h"
 #include "tests/support/temporary_folder.h"
 
@@ -91,6 +92,116 @@ TEST_F(GarmentServiceTest, GivesBackTheGarmentThatWasExtracted) {
     EXPECT_EQ(std::ssize(bytes), image.size) << image.file_name;
     EXPECT_EQ(Blake2b(bytes), image.hash) << image.file_name;
   }
+}
+
+// What a shop states and the third photograph come back as they were sent, from a database on the disk.
+TEST_F(GarmentServiceTest, KeepsChartFabricMeasuresAndSideFoldedPhotograph) {
+  const std::string front = FakePhoto(1, 2000);
+  const std::string back = FakePhoto(2, 3000);
+  const std::string folded = FakePhoto(3, 400000);
+  const GarmentUploadStatement statement = TrouserStatementOf("jeans", {front, back, folded});
+  const Result<GarmentUpload> upload = client_->StartUpload(statement);
+  ASSERT_TRUE(upload.ok()) << upload.status().ToString();
+  Serve();
+  EXPECT_EQ(client_->StartUpload(statement)->id, upload->id) << "a restarted server knows the statement again";
+  ASSERT_TRUE(client_->Publish(statement, {front, back, folded}, {}).ok());
+  Serve();
+  const Result<GarmentRecord> record = client_->GetGarment("jeans");
+  ASSERT_TRUE(record.ok()) << record.status().ToString();
+  Garment expected = MakeSampleTrousers();
+  expected.id = "jeans";
+  expected.title = "Trousers jeans";
+  EXPECT_EQ(record->garment.chart, expected.chart);
+  EXPECT_EQ(record->garment.fabric, "denim");
+  EXPECT_EQ(FindMeasure(record->garment.measures, "front_rise")->provenance, Provenance::kStated);
+  EXPECT_EQ(FindMeasure(record->garment.measures, "front_rise")->value, 0.245);
+  EXPECT_EQ(FindMeasure(record->garment.measures, "back_rise")->provenance, Provenance::kRuled);
+  EXPECT_EQ(FindMeasure(record->garment.measures, "thigh_width")->provenance, Provenance::kUnknown);
+  ASSERT_TRUE(record->garment.side_folded.has_value());
+  EXPECT_EQ(record->garment.side_folded->outline, expected.side_folded->outline);
+  EXPECT_EQ(record->images.size(), 10u);
+  EXPECT_TRUE(Download("jeans", "side-folded-photo", 0) == folded);
+  EXPECT_TRUE(Download("jeans", "side-folded-texture", 0) == "texture of " + folded);
+  EXPECT_TRUE(client_->Publish(statement, {front, back, folded}, {}).ok()) << "the same again is the same garment";
+  GarmentUploadStatement other = statement;
+  other.stated.chart.sizes.back().measures[0].value += 0.01;
+  EXPECT_EQ(client_->Publish(other, {front, back, folded}, {}).status().reason(), "GARMENT_EXISTS");
+}
+
+TEST_F(GarmentServiceTest, AListNamesTheSizesAlone) {
+  const std::string front = FakePhoto(1, 2000);
+  ASSERT_TRUE(client_->Publish(TrouserStatementOf("jeans", {front}), {front}, {}).ok());
+  const Result<std::vector<GarmentRecord>> records = client_->ListAllGarments();
+  ASSERT_TRUE(records.ok() && records->size() == 1);
+  const SizeChart& chart = records->front().garment.chart;
+  ASSERT_EQ(chart.sizes.size(), 3u);
+  EXPECT_EQ(chart.sizes[0].name, "S");
+  EXPECT_EQ(chart.photographed_size, "M");
+  EXPECT_TRUE(chart.sizes[0].measures.empty() && chart.sizes[0].body.empty());
+}
+
+TEST_F(GarmentServiceTest, RefusesWhatAShopCannotState) {
+  const std::string front = FakePhoto(1, 2000);
+  const auto reason_of = [&](const std::function<void(GarmentUploadStatement&)>& spoil) {
+    GarmentUploadStatement statement = TrouserStatementOf("jeans", {front, front, front});
+    spoil(statement);
+    return client_->StartUpload(statement).status().reason();
+  };
+  EXPECT_EQ(reason_of([](auto& s) { s.stated.chart.photographed_size = "XL"; }), "CHART_PHOTOGRAPHED_SIZE");
+  EXPECT_EQ(reason_of([](auto& s) { s.stated.chart.sizes.resize(41); }), "CHART_SIZE_COUNT");
+  EXPECT_EQ(reason_of([](auto& s) { s.stated.chart.sizes[1].measures[0].value = std::nan(""); }), "CHART_MEASURE");
+  EXPECT_EQ(reason_of([](auto& s) { s.stated.measures[0].value = 24.5; }), "GARMENT_MEASURE");
+  EXPECT_EQ(reason_of([](auto& s) {
+              s.kind = GarmentKind::kSkirt;
+              s.stated = {};
+            }),
+            "FIELD_INVALID");
+  // Only the photographs tell that the chart's widths are girths; the name is free again.
+  GarmentUploadStatement girths = TrouserStatementOf("jeans", {front});
+  for (GarmentSize& size : girths.stated.chart.sizes) {
+    for (GarmentMeasure& measure : size.measures) measure.value *= 2;
+  }
+  EXPECT_EQ(client_->Publish(girths, {front}, {}).status().reason(), "CHART_CONTRADICTS_PHOTOGRAPH");
+  EXPECT_TRUE(client_->Publish(TrouserStatementOf("jeans", {front}), {front}, {}).ok());
+}
+
+TEST(ShopConvert, GivesBackAGarmentAndAStatement) {
+  GarmentRecord record;
+  record.garment = MakeSampleTrousers();
+  for (const GarmentSide side : {GarmentSide::kFront, GarmentSide::kBack, GarmentSide::kSideFolded}) {
+    const std::string base(GarmentSideName(side));
+    record.images.push_back({GarmentImageKind::kPhoto, side, base + ".png", 5, Blake2b(base)});
+    record.images.push_back({GarmentImageKind::kMask, side, base + "_mask.png", 6, Blake2b(base)});
+    record.images.push_back({GarmentImageKind::kTexture, side, base + "_texture.png", 7, Blake2b(base)});
+  }
+  shop::v1::Garment message;
+  remote::ToProto(record, message);
+  const Result<GarmentRecord> read = remote::GarmentRecordFromProto(message);
+  ASSERT_TRUE(read.ok()) << read.status().ToString();
+  EXPECT_EQ(GarmentToJson(read->garment), GarmentToJson(record.garment));
+  EXPECT_EQ(read->images, record.images);
+
+  const GarmentUploadStatement statement = TrouserStatementOf("jeans", {"a", "b", "c"});
+  shop::v1::StartGarmentUploadRequest request;
+  remote::ToProto(statement, request);
+  const Result<GarmentUploadStatement> stated = remote::StatementFromProto(request);
+  ASSERT_TRUE(stated.ok()) << stated.status().ToString();
+  EXPECT_TRUE(*stated == statement);
+}
+
+// An older catalog knows neither provenance nor fabric nor chart.
+TEST(ShopConvert, ReadsWhatAnOlderCatalogSends) {
+  GarmentRecord record;
+  record.garment = MakeSampleTShirt();
+  shop::v1::Garment message;
+  remote::ToProto(record, message);
+  message.clear_fabric();
+  for (auto& measure : *message.mutable_measures()) measure.clear_provenance();
+  const Result<GarmentRecord> read = remote::GarmentRecordFromProto(message);
+  ASSERT_TRUE(read.ok()) << read.status().ToString();
+  EXPECT_EQ(read->garment.fabric, "jersey");
+  EXPECT_EQ(read->garment.measures, record.garment.measures);
+  EXPECT_TRUE(read->garment.chart.sizes.empty());
 }
 
 TEST_F(GarmentServiceTest, AGarmentMayHaveNoBack) {

@@ -35,13 +35,31 @@ GarmentUploadStatement GarmentStatementOf(const std::string& id, const std::stri
   return statement;
 }
 
+GarmentUploadStatement TrouserStatementOf(const std::string& id, const std::vector<std::string_view>& photos) {
+  const Garment trousers = MakeSampleTrousers();
+  GarmentUploadStatement statement;
+  statement.id = id;
+  statement.title = "Trousers " + id;
+  statement.kind = GarmentKind::kPants;
+  statement.length = 1.0;
+  for (size_t i = 0; i < photos.size(); ++i) {
+    statement.photos.push_back({static_cast<GarmentSide>(i), std::ssize(photos[i]), Blake2b(photos[i])});
+  }
+  statement.stated = {trousers.fabric, trousers.chart, {*FindMeasure(trousers.measures, "front_rise")}};
+  return statement;
+}
+
 Result<shop_catalog::GarmentExtraction> FakeExtractor(const shop_catalog::ExtractionRequest& request) {
   if (!request.front_photo.starts_with(kMark)) {
     return FailedPrecondition("NO_GARMENT_FOUND", "front: no garment was found; photograph it on a plain ground");
   }
   shop_catalog::GarmentExtraction extraction;
   Garment& garment = extraction.garment;
-  garment = MakeSampleTShirt();
+  garment = request.kind == GarmentKind::kPants ? MakeSampleTrousers() : MakeSampleTShirt();
+  // What a shop states is not on photographs.
+  garment.fabric = Garment().fabric;
+  garment.chart = {};
+  std::erase_if(garment.measures, [](const auto& measure) { return measure.provenance == Provenance::kStated; });
   garment.id = request.id;
   garment.title = request.title;
   garment.length = request.length;
@@ -50,6 +68,11 @@ Result<shop_catalog::GarmentExtraction> FakeExtractor(const shop_catalog::Extrac
     garment.back.reset();
   } else {
     AddFiles(*garment.back, request.back_photo, extraction.files);
+  }
+  if (request.side_folded_photo.empty()) {
+    garment.side_folded.reset();
+  } else {
+    AddFiles(*garment.side_folded, request.side_folded_photo, extraction.files);
   }
   extraction.files.push_back({"extraction.png", "drawing"});
   return extraction;
