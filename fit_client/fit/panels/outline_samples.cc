@@ -36,13 +36,13 @@ std::vector<double> SampleArcs(const OutlineSection& section, const std::vector<
   return samples;
 }
 
-}  // namespace
-
-OutlineSamples SampleOutline(const PanelPattern& panel, double pitch) {
+// `sample_arcs` holds the arc lengths of each section's samples.
+OutlineSamples SampleAtArcs(const PanelPattern& panel, const std::vector<std::vector<double>>& sample_arcs) {
   OutlineSamples outline;
-  for (const OutlineSection& section : panel.sections) {
+  for (size_t s = 0; s < panel.sections.size(); ++s) {
+    const OutlineSection& section = panel.sections[s];
     const std::vector<double> arcs = CumulativeLengths(section.points);
-    const std::vector<double> samples = SampleArcs(section, arcs, pitch);
+    const std::vector<double>& samples = sample_arcs[s];
     const int first = static_cast<int>(outline.points.size());
     std::vector<int> indices;
     for (size_t i = 0; i + 1 < samples.size(); ++i) {
@@ -72,6 +72,32 @@ OutlineSamples SampleOutline(const PanelPattern& panel, double pitch) {
     for (const int sample : outline.samples_of_section[s]) outline.sewn[static_cast<size_t>(sample)] = true;
   }
   return outline;
+}
+
+}  // namespace
+
+OutlineSamples SampleOutline(const PanelPattern& panel, double pitch) {
+  std::vector<std::vector<double>> sample_arcs;
+  for (const OutlineSection& section : panel.sections) {
+    sample_arcs.push_back(SampleArcs(section, CumulativeLengths(section.points), pitch));
+  }
+  return SampleAtArcs(panel, sample_arcs);
+}
+
+std::vector<double> SampleShares(const OutlineSection& section, double pitch) {
+  std::vector<double> shares = SampleArcs(section, CumulativeLengths(section.points), pitch);
+  const double length = shares.back();
+  for (double& share : shares) share /= length;
+  return shares;
+}
+
+OutlineSamples SampleOutlineAt(const PanelPattern& panel, const std::vector<std::vector<double>>& shares) {
+  std::vector<std::vector<double>> sample_arcs = shares;
+  for (size_t s = 0; s < panel.sections.size(); ++s) {
+    const double length = ChainLength(panel.sections[s].points);
+    for (double& arc : sample_arcs[s]) arc *= length;
+  }
+  return SampleAtArcs(panel, sample_arcs);
 }
 
 }  // namespace fitroom::panels

@@ -26,4 +26,10 @@ struct OutlineSamples {
 // neighbours. The number of samples depends on the section's points alone, so that equal seams are sampled equally.
 OutlineSamples SampleOutline(const PanelPattern& panel, double pitch);
 
+// Returns the places of one section's samples as shares of its length, from 0 to 1.
+std::vector<double> SampleShares(const OutlineSection& section, double pitch);
+
+// The same at given places, so that seams of two pieces are sampled one to one: `shares` holds those of each section.
+OutlineSamples SampleOutlineAt(const PanelPattern& panel, const std::vector<std::vector<double>>& shares);
+
 }  // namespace fitroom::panels
