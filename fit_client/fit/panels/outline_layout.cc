@@ -85,8 +85,8 @@ const Sections kSkirt = {
 };
 
 //         e3 ___waist___ e1
-// outseam_R |           | outseam_L     The outseam bends where the leg begins (crotch level): the curve is held
-// thereXX
+// outseam_R |           | outseam_L     The outseam is widest at the hip: the curve is held there, or it cuts the
+//           |           |               hip's girth by a centimetre.
 //           |  crotch   |
 //           |    /\     |
 //           |   |  |    | inseam_R, inseam_L
@@ -94,12 +94,12 @@ const Sections kSkirt = {
 //       leg_hem_R  leg_hem_L
 const Sections kTrousers = {
     {"waist", kOpening, {"e1", "waist_centre", "e3"}, 0, 4, -1, true},
-    {"outseam_R", kSeam, {"e3", "hip_R", "crotch_level_R", "thigh_outer_R", "knee_outer_R", "e4"}, 6, 8, -1, false},
+    {"outseam_R", kSeam, {"e3", "hip_R", "crotch_level_R", "thigh_outer_R", "knee_outer_R", "e4"}, 6, 8, 1, false},
     {"leg_hem_R", kOpening, {"e4", "hem_mid_R", "hem_inner_R"}, 5, 3, -1, false},
     {"inseam_R", kSeam, {"hem_inner_R", "knee_inner_R", "thigh_inner_R", "crotch"}, 4, 6, -1, false},
     {"inseam_L", kSeam, {"crotch", "thigh_inner_L", "knee_inner_L", "hem_inner_L"}, 3, 6, -1, false},
     {"leg_hem_L", kOpening, {"hem_inner_L", "hem_mid_L", "e2"}, 2, 3, -1, false},
-    {"outseam_L", kSeam, {"e2", "knee_outer_L", "thigh_outer_L", "crotch_level_L", "hip_L", "e1"}, 1, 8, -1, false},
+    {"outseam_L", kSeam, {"e2", "knee_outer_L", "thigh_outer_L", "crotch_level_L", "hip_L", "e1"}, 1, 8, 4, false},
 };
 
 }  // namespace

@@ -347,8 +347,7 @@ Garment Photograph(const DraftedTrousers& trousers, double pixels_per_metre, dou
   Garment garment;
   garment.id = "drafted-trousers";
   garment.kind = GarmentKind::kPants;
-  const double waist = 0.5 * (trousers.front.centre.front().y() + trousers.back.centre.front().y());
-  garment.length = waist + trousers.body.rise + trousers.body.inseam;
+  garment.length = trousers.body.rise + trousers.body.inseam;
   garment.front = FoldedView(trousers, GarmentSide::kFront, camera);
   garment.back = FoldedView(trousers, GarmentSide::kBack, camera);
   garment.side_folded = SideView(trousers, camera);
