@@ -114,6 +114,7 @@ void DescribeOutcome(const DressTopResult& dressed, const DrapeOptions& options,
                   drape.final_seam_gap_max};
   report.penetration = {drape.particles_inside, report.penetration.triangle_sample_count, drape.samples_inside,
                         drape.deepest_penetration};
+  report.self_crossing_count = drape.self_crossing_count;
   report.strain = {drape.strain_p50, drape.strain_p95, drape.strain_p99, drape.strain_max};
   report.substep_count = drape.merging_substeps + drape.draping_substeps;
 }

@@ -118,6 +118,7 @@ struct FitReport {
   SeamGapSummary seams;
   PenetrationSummary penetration;
   StrainSummary strain;
+  int self_crossing_count = 0;  // Edges of the cloth that pass through it.
   std::vector<EaseAtPlace> ease;
   std::vector<ZoneFit> zones;          // From AssessFit(); empty: not assessed.
   std::string fabric;                  // "jersey", …

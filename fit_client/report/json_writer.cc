@@ -126,6 +126,7 @@ std::string WriteJson(const FitReport& report) {
                      {"seams", SeamsJson(report.seams)},
                      {"penetration", PenetrationJson(report.penetration)},
                      {"strain", StrainJson(report.strain)},
+                     {"self_crossing_count", report.self_crossing_count},
                      {"ease", EaseJson(report)},
                      {"fabric", report.fabric},
                      {"zones", ZonesJson(report.zones)},

@@ -76,6 +76,9 @@ void WriteChecks(const FitReport& report, Page& page) {
   page.Entry("strain", verdict(strain.p95 < kStrainLimit) +
                            Format("half below %.1f %%, 95 %% below %.1f %%, 99 %% below %.1f %%, most %.1f %%",
                                   strain.p50 * 1e2, strain.p95 * 1e2, strain.p99 * 1e2, strain.max * 1e2));
+  page.Entry("folds", report.self_crossing_count == 0 ? "good: the cloth passes through itself nowhere"
+                                                      : "the cloth passes through itself at " +
+                                                            std::to_string(report.self_crossing_count) + " edges");
   page.Entry("cloth", verdict(report.euler_characteristic == report.expected_euler_characteristic) +
                           Count(report.particle_count) + " particles, " + Count(report.triangle_count) +
                           " triangles, edges of " + Quantity(report.mean_edge_length * 1e3, 1, "mm") +

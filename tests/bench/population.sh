@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# Dresses every body of the external test data in five outfits of drawn garments, in the size that its bust or hip names.
+#   tests/bench/population.sh BUILD DATA [further options of population_bench, for example --every 10 or --step -2]
+# BUILD: the build's folder (build/release); DATA: the external test data. Prints a line a garment and a table an outfit.
+set -euo pipefail
+build=$1 data=$2
+shift 2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+for kind in tshirt one_piece skirt pants; do
+  "$build/bin/shop_catalog" synthesize --kind "$kind" --size 12 --out "$work/$kind-photos" >/dev/null
+  length=$(tr -d ' \n' <"$work/$kind-photos/chart.json" | grep -oE '"name":"12","measures_cm":\{[^}]*"(front_)?length":[0-9.]+' |
+    grep -oE '[0-9.]+$')
+  "$build/bin/shop_catalog" extract "$work/$kind-photos/front.png" "$work/$kind-photos/back.png" --kind "$kind" \
+    --annotation "$work/$kind-photos/truth.json" --chart "$work/$kind-photos/chart.json" --length-cm "$length" --id "${kind//_/-}" \
+    --out "$work/$kind" >/dev/null
+done
+"$build/tests/bench/population_bench" --bodies "$data/bodies/population" --garments "$work" "$@"

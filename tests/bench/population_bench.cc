@@ -1,0 +1,249 @@
+// Dresses a population: every body in every outfit, each garment in the size of its chart that the body's primary
+// dimension names, or so many steps smaller or larger. Prints a line a garment and a table an outfit.
+//   population_bench --bodies FOLDER --garments FOLDER [--every N] [--step N] [--outfit NAME[+NAME]]... [--threads N]
+// FOLDER of garments: one folder a garment, as `shop_catalog extract` makes it, named as in the outfits.
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "common/base/executor.h"
+#include "common/garment/size_choice.h"
+#include "fit_client/fitting/fit_inputs.h"
+#include "fit_client/fitting/fit_outfit.h"
+
+namespace fitroom {
+namespace {
+
+struct Flags {
+  std::string bodies, garments;
+  std::vector<std::string> outfits = {"tshirt", "one_piece", "skirt", "pants", "pants+tshirt"};
+  int every = 1;
+  int step = 0;
+  int threads = 2;
+  double pitch_cm = 1.0;
+  bool no_self_collision = false;
+};
+
+// What came out of one garment of one outfit on one body.
+struct Row {
+  std::string body, outfit, garment, size;
+  std::string reason;  // Of the report, or the error's.
+  std::string text;
+  bool finished = false;
+  bool stated = false;  // It ended with an outcome, not with an error.
+  bool torn = false;    // A particle is nowhere, or an edge is three times as long as at rest.
+  double deepest = 0.0;
+  int inside = 0;
+  double seam_max = 0.0;
+  double strain_p95 = 0.0;
+  double strain_max = 0.0;
+  double ease_error = 0.0;  // Largest difference of worn and flat girth of the zones that hang free.
+  int crossings = 0;
+  int substeps = 0;
+  double seconds = 0.0;
+};
+
+double LargestStretch(const ClothMesh& cloth, const std::vector<Eigen::Vector3d>& places) {
+  double largest = 0.0;
+  for (const Eigen::Vector3i& triangle : cloth.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const size_t a = static_cast<size_t>(triangle[k]);
+      const size_t b = static_cast<size_t>(triangle[(k + 1) % 3]);
+      const double stretch =
+          (places[a] - places[b]).norm() / (cloth.rest_positions[a] - cloth.rest_positions[b]).norm();
+      if (!(stretch <= largest)) largest = stretch;
+    }
+  }
+  return largest;
+}
+
+std::vector<std::string> GarmentsOf(const std::string& outfit) {
+  std::vector<std::string> names;
+  for (size_t begin = 0; begin <= outfit.size();) {
+    const size_t end = std::min(outfit.find('+', begin), outfit.size());
+    names.push_back(outfit.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return names;
+}
+
+Result<std::string> SizeFor(const Garment& garment, const Body& body, int step) {
+  if (garment.chart.sizes.empty()) return std::string();
+  BodyGirths girths;
+  girths.bust = body.measurements.bust.girth;
+  girths.waist = body.measurements.waist.girth;
+  girths.hip = body.measurements.hip.girth;
+  FR_ASSIGN_OR_RETURN(const SizeChoice choice, ChooseSize(garment.kind, garment.fabric, garment.chart, girths));
+  const int last = static_cast<int>(garment.chart.sizes.size()) - 1;
+  return garment.chart.sizes[static_cast<size_t>(std::clamp(choice.index + step, 0, last))].name;
+}
+
+Row MakeRow(const FittedGarment& fitted) {
+  Row row;
+  row.size = fitted.cut.size;
+  const FitReport& report = fitted.report;
+  row.reason = report.finishing_reason;
+  row.text = report.finishing_text;
+  row.finished = report.finished;
+  row.stated = !report.finishing_reason.empty();
+  row.torn = !(LargestStretch(fitted.cut.cloth, fitted.stages.final) < 3.0);
+  row.deepest = report.penetration.deepest;
+  row.inside = report.penetration.particle_count_inside + report.penetration.triangle_sample_count_inside;
+  row.seam_max = report.seams.max;
+  row.strain_p95 = report.strain.p95;
+  row.strain_max = report.strain.max;
+  row.crossings = report.self_crossing_count;
+  row.substeps = report.substep_count;
+  for (const ZoneFit& zone : report.zones) {
+    const bool is_torso = zone.zone == FitZone::kBust || zone.zone == FitZone::kWaist || zone.zone == FitZone::kHip;
+    if (!is_torso || !zone.measured || zone.worn_girth <= 0.0 || zone.ease() < 0.0) continue;
+    row.ease_error = std::max(row.ease_error, std::abs(zone.worn_girth - zone.garment_girth));
+  }
+  return row;
+}
+
+std::vector<Row> FitOne(const std::filesystem::path& body_file, const BodyInput& body, const std::string& outfit_name,
+                        const std::map<std::string, GarmentInput>& wardrobe, const Flags& flags) {
+  using Clock = std::chrono::steady_clock;
+  std::vector<Row> rows;
+  std::vector<Layer> layers;
+  for (const std::string& name : GarmentsOf(outfit_name)) {
+    const GarmentInput& garment = wardrobe.at(name);
+    const Result<std::string> size = SizeFor(garment.garment, body.body, flags.step);
+    layers.push_back({&garment, size.ok() ? *size : std::string()});
+  }
+  SerialExecutor executor;
+  Stopwatch stopwatch;
+  FitOptions options;
+  options.pitch = 0.01 * flags.pitch_cm;
+  options.dressing.drape.self_collision = !flags.no_self_collision;
+  const Clock::time_point begin = Clock::now();
+  const Result<Outfit> outfit = FitOutfit(body, layers, options, executor, stopwatch, {});
+  const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  if (outfit.ok()) {
+    for (const FittedGarment& fitted : outfit->garments) {
+      rows.push_back(MakeRow(fitted));
+      rows.back().garment = fitted.input->garment.id;
+    }
+  } else {
+    Row row;
+    row.reason = outfit.status().reason();
+    row.text = outfit.status().message();
+    rows.push_back(row);
+  }
+  for (Row& row : rows) {
+    row.body = body_file.stem().string();
+    row.outfit = outfit_name;
+    row.seconds = seconds / static_cast<double>(rows.size());
+  }
+  return rows;
+}
+
+void PrintRow(const Row& row) {
+  std::printf(
+      "%-6s %-14s %-12s %-4s %-26s deepest %5.2f mm inside %4d seam %5.2f mm strain95 %5.1f %% max %5.1f %% "
+      "ease %5.1f mm cross %4d steps %6d %6.2f s%s\n",
+      row.body.c_str(), row.outfit.c_str(), row.garment.c_str(), row.size.c_str(), row.reason.c_str(),
+      row.deepest * 1e3, row.inside, row.seam_max * 1e3, row.strain_p95 * 1e2, row.strain_max * 1e2,
+      row.ease_error * 1e3, row.crossings, row.substeps, row.seconds, row.torn ? " TORN" : "");
+  if (!row.finished) std::printf("       %s\n", row.text.c_str());
+  std::fflush(stdout);
+}
+
+void PrintSummary(const std::vector<Row>& rows, const Flags& flags) {
+  std::printf("\n%-14s %9s %9s %9s %6s %12s %10s %9s %10s %11s %8s\n", "outfit", "garments", "finished", "stated",
+              "torn", "deepest mm", "inside>0.1", "seam mm", "crossings", "ease max mm", "mean s");
+  for (const std::string& outfit : flags.outfits) {
+    int count = 0, finished = 0, stated = 0, torn = 0, inside = 0, crossings = 0;
+    double deepest = 0.0, seam = 0.0, ease = 0.0, seconds = 0.0;
+    for (const Row& row : rows) {
+      if (row.outfit != outfit) continue;
+      ++count;
+      finished += row.finished;
+      stated += row.stated;
+      torn += row.torn;
+      inside += row.deepest > 1e-4;
+      crossings += row.crossings;
+      deepest = std::max(deepest, row.deepest);
+      if (row.finished) seam = std::max(seam, row.seam_max);
+      ease = std::max(ease, row.ease_error);
+      seconds += row.seconds;
+    }
+    std::printf("%-14s %9d %9d %9d %6d %12.3f %10d %9.3f %10d %11.1f %8.2f\n", outfit.c_str(), count, finished, stated,
+                torn, deepest * 1e3, inside, seam * 1e3, crossings, ease * 1e3, count > 0 ? seconds / count : 0.0);
+  }
+}
+
+int Run(const Flags& flags) {
+  std::map<std::string, GarmentInput> wardrobe;
+  for (const std::string& outfit : flags.outfits) {
+    for (const std::string& name : GarmentsOf(outfit)) {
+      if (wardrobe.contains(name)) continue;
+      Result<GarmentInput> garment = LoadGarment(std::filesystem::path(flags.garments) / name);
+      if (!garment.ok()) {
+        std::fprintf(stderr, "%s: %s\n", name.c_str(), garment.status().message().c_str());
+        return 1;
+      }
+      wardrobe.emplace(name, std::move(garment).value());
+    }
+  }
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(flags.bodies)) {
+    if (entry.path().extension() == ".ply") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<std::filesystem::path> chosen;
+  for (size_t i = 0; i < files.size(); i += static_cast<size_t>(flags.every)) chosen.push_back(files[i]);
+
+  std::vector<Row> all;
+  std::mutex mutex;
+  std::atomic<size_t> next = 0;
+  const auto work = [&] {
+    for (size_t i = next++; i < chosen.size(); i = next++) {
+      const Result<BodyInput> body = LoadScan(chosen[i]);
+      if (!body.ok()) {
+        std::fprintf(stderr, "%s\n", body.status().message().c_str());
+        continue;
+      }
+      for (const std::string& outfit : flags.outfits) {
+        const std::vector<Row> rows = FitOne(chosen[i], *body, outfit, wardrobe, flags);
+        const std::lock_guard lock(mutex);
+        for (const Row& row : rows) PrintRow(row);
+        all.insert(all.end(), rows.begin(), rows.end());
+      }
+    }
+  };
+  std::vector<std::thread> threads;
+  for (int i = 0; i < flags.threads; ++i) threads.emplace_back(work);
+  for (std::thread& thread : threads) thread.join();
+  PrintSummary(all, flags);
+  return 0;
+}
+
+}  // namespace
+}  // namespace fitroom
+
+int main(int argc, char** argv) {
+  fitroom::Flags flags;
+  CLI::App app("Dresses a population in outfits and says how each fit ended");
+  app.add_option("--bodies", flags.bodies, "Folder of PLY scans")->required();
+  app.add_option("--garments", flags.garments, "Folder of garment folders")->required();
+  app.add_option("--outfit", flags.outfits, "Garments joined by +, the innermost first; several times");
+  app.add_option("--every", flags.every, "Only every n-th body")->check(CLI::Range(1, 1000));
+  app.add_option("--step", flags.step, "So many sizes larger (or smaller) than the right one");
+  app.add_option("--threads", flags.threads, "Fits at a time")->check(CLI::Range(1, 64));
+  app.add_option("--pitch-cm", flags.pitch_cm, "Edge length of the cloth meshes");
+  app.add_flag("--no-self-collision", flags.no_self_collision, "Let cloth pass through itself");
+  CLI11_PARSE(app, argc, argv);
+  return fitroom::Run(flags);
+}
