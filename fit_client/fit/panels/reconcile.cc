@@ -89,13 +89,37 @@ std::vector<Polyline> AverageShared(const std::vector<SectionLayout>& layout, co
   return shared;
 }
 
+// Says whether a chain comes to a point at a sample, as a V-neck does at its drop: it turns by more than 60 degrees
+// between a tenth of its length before and after. A round neck turns by a fifth of 180 degrees there.
+bool IsPointed(const Polyline& points, size_t sample) {
+  const size_t reach = std::max<size_t>(1, points.size() / 10);
+  if (sample < reach || sample + reach >= points.size()) return false;
+  const Eigen::Vector2d before = points[sample] - points[sample - reach];
+  const Eigen::Vector2d after = points[sample + reach] - points[sample];
+  return before.dot(after) < 0.5 * before.norm() * after.norm();
+}
+
+Polyline FitByArc(const Polyline& points, int degree, int held) {
+  std::vector<double> parameters = panels::CumulativeLengths(points);
+  const double length = parameters.back();
+  if (length <= 0.0) return points;
+  for (double& t : parameters) t /= length;
+  return panels::FitBezier(points, parameters, degree, held);
+}
+
+// Replaces a section by its smooth curve, or, where it comes to a point in its middle, by two.
 void Smooth(const SectionLayout& section, const std::vector<int>& knots, Polyline& points) {
-  const std::vector<double> arcs = panels::CumulativeLengths(points);
-  if (arcs.back() <= 0.0) return;
-  std::vector<double> parameters(arcs);
-  for (double& t : parameters) t /= arcs.back();
+  const size_t middle = static_cast<size_t>(knots[knots.size() / 2]);
+  if (section.name == "neck" && IsPointed(points, middle)) {
+    const auto tip = points.begin() + static_cast<std::ptrdiff_t>(middle);
+    const Polyline first = FitByArc(Polyline(points.begin(), tip + 1), section.degree / 2, -1);
+    const Polyline second = FitByArc(Polyline(tip, points.end()), section.degree / 2, -1);
+    points = first;
+    points.insert(points.end(), second.begin() + 1, second.end());
+    return;
+  }
   const int held = section.held_knot < 0 ? -1 : knots[static_cast<size_t>(section.held_knot)];
-  points = panels::FitBezier(points, parameters, section.degree, held);
+  points = FitByArc(points, section.degree, held);
 }
 
 // A view's own section (neck, waist, armhole, hem) between the corners that the shared sections gave it. `mirror` is

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <string>
+#include <utility>
 
+#include "fit_client/fit/panels/closed_outline.h"
 #include "fit_client/fit/panels/outline_layout.h"
 
 namespace fitroom::panels {
@@ -20,23 +22,14 @@ constexpr double kMiddleOnOutline = 0.012;
 // How far two neighbouring points may stand in the wrong order and be taken as one place (share of the length): a hand
 // that clicks P2 and e1 does that.
 constexpr double kOrderSlack = 0.02;
+// A slit in the hem: narrower than this where it opens, and at least this much of a detour (share of the length).
+constexpr double kSlitMouth = 0.05;
+constexpr double kSlitDetour = 0.08;
 // Standard deviation of the smoothing that removes the stairs of a mask (unit: pixel); small enough to stay within the
 // two pixels by which a texture reaches beyond its outline.
 constexpr double kJitterSigma = 1.2;
 // The same for crumples, when arc length is measured (share of the garment's length).
 constexpr double kCrumpleSigma = 0.02;
-
-struct OutlinePosition {
-  double arc = 0.0;  // From the outline's first point (unit: pixel).
-  double distance = std::numeric_limits<double>::infinity();
-};
-
-// A closed outline with its arc length, counter-clockwise in the wearer's frame.
-struct ClosedOutline {
-  Polyline closed;  // The first point repeated at the end.
-  std::vector<double> arcs;
-  double perimeter() const { return arcs.back(); }
-};
 
 const char* SideName(GarmentSide side) { return side == GarmentSide::kFront ? "front" : "back"; }
 
@@ -61,48 +54,6 @@ Status CheckView(const GarmentView& view, double length) {
     return InvalidArgument("BAD_SCALE", "the garment's length must lie between 0.15 and 2 m");
   }
   return Status();
-}
-
-ClosedOutline CloseOutline(const GarmentView& view) {
-  ClosedOutline outline;
-  for (const Eigen::Vector2d& p : view.outline) {
-    if (outline.closed.empty() || (p - outline.closed.back()).norm() > 1e-9) outline.closed.push_back(p);
-  }
-  // Turning the y axis over makes clockwise on the screen counter-clockwise; the back is mirrored once more.
-  const bool screen_clockwise = SignedArea(outline.closed) > 0.0;
-  if (screen_clockwise == (view.side == GarmentSide::kFront)) {
-    std::reverse(outline.closed.begin(), outline.closed.end());
-  }
-  outline.closed.push_back(outline.closed.front());
-  outline.arcs = CumulativeLengths(outline.closed);
-  return outline;
-}
-
-OutlinePosition NearestPosition(const ClosedOutline& outline, const Eigen::Vector2d& point) {
-  OutlinePosition best;
-  for (size_t i = 1; i < outline.closed.size(); ++i) {
-    const Eigen::Vector2d along = outline.closed[i] - outline.closed[i - 1];
-    const double squared = along.squaredNorm();
-    const double t = squared > 0.0 ? std::clamp((point - outline.closed[i - 1]).dot(along) / squared, 0.0, 1.0) : 0.0;
-    const double distance = (point - outline.closed[i - 1] - t * along).norm();
-    if (distance < best.distance) best = {outline.arcs[i - 1] + t * std::sqrt(squared), distance};
-  }
-  return best;
-}
-
-// The part of the outline between two arcs; `to` may lie beyond the perimeter.
-Polyline CutChain(const ClosedOutline& outline, double from, double to) {
-  const double perimeter = outline.perimeter();
-  const auto at = [&](double arc) { return InterpolateChain(outline.closed, outline.arcs, std::fmod(arc, perimeter)); };
-  Polyline chain = {at(from)};
-  for (double lap : {0.0, perimeter}) {
-    for (size_t i = 0; i + 1 < outline.closed.size(); ++i) {
-      const double arc = outline.arcs[i] + lap;
-      if (arc > from + 1e-9 && arc < to - 1e-9) chain.push_back(outline.closed[i]);
-    }
-  }
-  chain.push_back(at(to));
-  return chain;
 }
 
 // Half an ellipse from the neck's one end through the drop to its other end, cut at the drop.
@@ -169,6 +120,84 @@ Result<PositionsByName> LocatePoints(const GarmentView& view, const std::vector<
   return positions;
 }
 
+// The knots of a section; of a bridged one, the first, only its ends.
+std::vector<std::string> KnotsOnOutline(const std::vector<SectionLayout>& layout, size_t section, bool bridged) {
+  const std::vector<std::string>& knots = layout[section].knots;
+  if (section == 0 && bridged) return {knots.front(), knots.back()};
+  return knots;
+}
+
+// Moves the points to the places where they follow each other round the outline; false if there are none.
+bool PutInOrder(const GarmentView& view, const std::vector<SectionLayout>& layout, const ClosedOutline& outline,
+                bool bridged, double length_in_pixels, PositionsByName& positions) {
+  std::vector<std::string> names;
+  Polyline points;
+  for (size_t s = 0; s < layout.size(); ++s) {
+    const std::vector<std::string> knots = KnotsOnOutline(layout, s, bridged);
+    names.insert(names.end(), knots.begin(), knots.end() - 1);
+  }
+  for (const std::string& name : names) points.push_back(FindPoint(view, name)->pixel);
+  const std::optional<std::vector<double>> arcs = PlaceInOrder(outline, points, kMaxPointOffset * length_in_pixels);
+  if (!arcs) return false;
+  for (size_t i = 0; i < names.size(); ++i) positions[names[i]].arc = (*arcs)[i];
+  return true;
+}
+
+// Cuts one section, from arc to arc, at its knots; of a hem slits are cut out first.
+std::vector<Polyline> CutSection(const ClosedOutline& outline, const SectionLayout& section,
+                                 const std::vector<double>& knot_arcs, double length_in_pixels) {
+  std::vector<Polyline> chains;
+  if (section.name != "hem") {
+    for (size_t k = 1; k < knot_arcs.size(); ++k) chains.push_back(CutChain(outline, knot_arcs[k - 1], knot_arcs[k]));
+    return chains;
+  }
+  Polyline whole = CutChain(outline, knot_arcs.front(), knot_arcs.back());
+  std::vector<double> knots = knot_arcs;
+  for (double& arc : knots) arc -= knot_arcs.front();
+  BridgeNotches(kSlitMouth * length_in_pixels, kSlitDetour * length_in_pixels, whole, knots);
+  const std::vector<double> arcs = CumulativeLengths(whole);
+  knots.back() = arcs.back();
+  for (size_t k = 1; k < knots.size(); ++k) {
+    Polyline part = {InterpolateChain(whole, arcs, knots[k - 1])};
+    for (size_t i = 0; i < whole.size(); ++i) {
+      if (arcs[i] > knots[k - 1] + 1e-9 && arcs[i] < knots[k] - 1e-9) part.push_back(whole[i]);
+    }
+    part.push_back(InterpolateChain(whole, arcs, knots[k]));
+    chains.push_back(std::move(part));
+  }
+  return chains;
+}
+
+// Cuts the outline at its points, which have been placed on it. `bridged`: the first section is not on the outline.
+Result<ViewOutline> CutAtPoints(const GarmentView& view, const std::vector<SectionLayout>& layout,
+                                const ClosedOutline& outline, const PositionsByName& positions, bool bridged,
+                                double length_in_pixels) {
+  ViewOutline split{view.side, view.image_width, view.image_height, view.metre_per_pixel, {}};
+  const double perimeter = outline.perimeter();
+  const double start = positions.at(layout[0].knots[0]).arc;
+  double arc = start;  // Grows monotonically from the first corner round to it again.
+  for (size_t s = 0; s < layout.size(); ++s) {
+    const std::vector<std::string> knots = KnotsOnOutline(layout, s, bridged);
+    std::vector<double> knot_arcs = {arc};
+    for (size_t k = 1; k < knots.size(); ++k) {
+      double next = positions.at(knots[k]).arc;
+      while (next < arc - kOrderSlack * length_in_pixels) next += perimeter;
+      next = std::max(next, arc);
+      const bool last = s + 1 == layout.size() && k + 1 == knots.size();
+      if (last) next = start + perimeter;
+      if (next < arc || next > start + perimeter + 1e-9) return OutOfOrder(view, knots[k - 1], knots[k]);
+      knot_arcs.push_back(next);
+      arc = next;
+    }
+    std::vector<Polyline> chains = CutSection(outline, layout[s], knot_arcs, length_in_pixels);
+    if (s == 0 && bridged) {
+      chains = BridgeOpening(view, layout[0], chains.front().front(), chains.front().back());
+    }
+    split.chains.push_back(std::move(chains));
+  }
+  return split;
+}
+
 }  // namespace
 
 Result<ViewOutline> SplitOutline(const GarmentView& view, GarmentKind kind, double length) {
@@ -185,35 +214,10 @@ Result<ViewOutline> SplitOutline(const GarmentView& view, GarmentKind kind, doub
 
   FR_ASSIGN_OR_RETURN(PositionsByName positions, LocatePoints(view, layout, outline, length_in_pixels));
   const std::string& middle = layout[0].knots[layout[0].knots.size() / 2];
-  const bool inside = positions[middle].distance > kMiddleOnOutline * length_in_pixels;
-
-  ViewOutline split{view.side, view.image_width, view.image_height, view.metre_per_pixel, {}};
-  const double perimeter = outline.perimeter();
-  const double start = positions[layout[0].knots[0]].arc;
-  double arc = start;  // Grows monotonically from the first corner round to it again.
-  for (size_t s = 0; s < layout.size(); ++s) {
-    const std::vector<std::string>& knots = layout[s].knots;
-    std::vector<Polyline> chains;
-    const bool bridged = s == 0 && inside;
-    const double section_start = arc;
-    for (size_t k = bridged ? knots.size() - 1 : 1; k < knots.size(); ++k) {
-      const std::string& before = knots[bridged ? 0 : k - 1];
-      double next = positions[knots[k]].arc;
-      while (next < arc - kOrderSlack * length_in_pixels) next += perimeter;
-      next = std::max(next, arc);
-      const bool last = s + 1 == layout.size() && k + 1 == knots.size();
-      if (last) next = start + perimeter;
-      if (next < arc || next > start + perimeter + 1e-9) return OutOfOrder(view, before, knots[k]);
-      chains.push_back(CutChain(outline, arc, next));
-      arc = next;
-    }
-    if (bridged) {
-      const Polyline back_edge = CutChain(outline, section_start, arc);
-      chains = BridgeOpening(view, layout[0], back_edge.front(), back_edge.back());
-    }
-    split.chains.push_back(std::move(chains));
-  }
-  return split;
+  const bool bridged = positions[middle].distance > kMiddleOnOutline * length_in_pixels;
+  Result<ViewOutline> split = CutAtPoints(view, layout, outline, positions, bridged, length_in_pixels);
+  if (split.ok() || !PutInOrder(view, layout, outline, bridged, length_in_pixels, positions)) return split;
+  return CutAtPoints(view, layout, outline, positions, bridged, length_in_pixels);
 }
 
 Polyline SampleChain(const Polyline& chain, int count, double length_in_pixels) {

@@ -107,6 +107,11 @@ Half HalfSkirt(const DrawnSkirt& s, double dip) {
                {Bow(waist, handle, hip), {{0.0, "e1"}, {1.0, "hip_L"}}},
                {Line(hip, hem), {{1.0, "e2"}}},
                {Reversed(Dip(s.half_hem, hem_y, s.hem_sag)), {{0.5, "hem_quarter_L"}, {1.0, "hem_centre"}}}};
+  if (s.slit_depth > 0.0) {
+    half[3].at.pop_back();
+    half.push_back({Line({0.005, hem_y}, {0.0, hem_y + s.slit_depth}), {{1.0, "hem_centre"}}});
+    half[3].curve = Line(hem, {0.005, hem_y});
+  }
   for (int i = 1; i <= 5; ++i) half[2].at.emplace_back(i / 6.0, "side_" + std::to_string(i) + "_L");
   return half;
 }
@@ -132,6 +137,7 @@ Half HalfTrousers(const DrawnTrousers& s, double dip) {
 Half HalfDress(const DrawnDress& s, bool front) {
   const double drop = front ? s.front_drop : s.back_drop;
   const Curve neckline = [=](double t) -> Eigen::Vector2d {
+    if (front && s.v_neck) return {t * s.half_neck, (t - 1.0) * drop};
     const double angle = 0.5 * std::numbers::pi * t;
     return {s.half_neck * std::sin(angle), -drop * std::cos(angle)};
   };

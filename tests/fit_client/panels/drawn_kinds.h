@@ -18,6 +18,7 @@ struct DrawnSkirt {
   double half_hem = 0.30;
   double front_dip = 0.02;  // How much lower the waist's centre lies than its ends.
   double back_dip = 0.0;
+  double slit_depth = 0.0;       // Of a slit in the middle of the hem that gapes by 1 cm; its end is the hem's centre.
   double hem_sag = 0.0;          // How much lower the hem's centre lies than its corners.
   double right_hip_share = 1.0;  // The wearer's right half's hip and hem as a share of the left one's.
 };
@@ -36,6 +37,7 @@ struct DrawnTrousers {
 struct DrawnDress {
   double length = 0.95;  // From the shoulders to the hem's corners.
   double half_neck = 0.09;
+  bool v_neck = false;  // In front: straight from the drop to the neck's ends.
   double front_drop = 0.12;
   double back_drop = 0.04;
   Eigen::Vector2d shoulder_tip{0.15, -0.03};

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -288,6 +289,126 @@ TEST(ReconcileDress, KeepsTheArmholesOfEachPanel) {
   EXPECT_NEAR(FindPatternPoint(pattern.back, "armhole_L")->x(), dress.back_armhole, 0.003);
   EXPECT_NEAR(FindPatternPoint(pattern.front, "neck_drop")->y(), -dress.front_drop, 0.002);
   EXPECT_NEAR(FindPatternPoint(pattern.back, "neck_drop")->y(), -dress.back_drop, 0.002);
+}
+
+// Cuts a pattern at all pitches that people use and expects triangles without slivers.
+void ExpectCut(const GarmentPattern& pattern, double narrowest = 1.0) {
+  for (const double pitch : {0.04, 0.03, 0.02, 0.01}) {
+    SCOPED_TRACE(pitch);
+    const Result<ClothMesh> mesh = MeshPattern(pattern, pitch);
+    ASSERT_TRUE(mesh.ok()) << mesh.status().ToString();
+    EXPECT_EQ(ComputeEulerCharacteristic(*mesh), ExpectedEulerCharacteristic(pattern.kind));
+    double least = 180.0;
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3i& t : mesh->triangles) {
+      for (int k = 0; k < 3; ++k) {
+        const auto at = [&](int i) { return mesh->rest_positions[static_cast<size_t>(t[(k + i) % 3])]; };
+        const double angle = std::acos((at(1) - at(0)).normalized().dot((at(2) - at(0)).normalized())) * 180.0 / M_PI;
+        if (angle < least) place = at(0);
+        least = std::min(least, angle);
+      }
+    }
+    // Across something narrower than the pitch, a strap, no triangle can be better than its own proportions.
+    const double slender = std::atan(narrowest / pitch) * 180.0 / M_PI;
+    EXPECT_GE(least, std::min(pitch < 0.015 ? 24.0 : 22.0, 0.8 * slender)) << place.transpose();
+  }
+}
+
+TEST(ReconcileDress, TakesNarrowStraps) {
+  for (const double strap : {0.04, 0.02, 0.01, 0.006}) {
+    SCOPED_TRACE(strap);
+    DrawnDress dress;
+    dress.half_neck = 0.11;
+    dress.shoulder_tip = {0.11 + strap, -0.003};
+    dress.front_armhole = 0.13 + 0.5 * strap;
+    dress.back_armhole = 0.135 + 0.5 * strap;
+    const GarmentPattern pattern = Reconciled(DrawGarment(dress));
+    EXPECT_NEAR((*FindPatternPoint(pattern.front, "e2") - *FindPatternPoint(pattern.front, "P2")).norm(), strap, 0.001);
+    ExpectCut(pattern, strap);
+  }
+}
+
+TEST(ReconcileSkirt, TakesFlaredOnesAndWideHems) {
+  for (const double half_hem : {0.10, 0.20, 0.45, 0.60, 0.75}) {
+    SCOPED_TRACE(half_hem);
+    DrawnSkirt skirt;
+    skirt.half_hem = half_hem;
+    skirt.hem_sag = std::max(0.0, 0.4 * (half_hem - 0.3));
+    const GarmentPattern pattern = Reconciled(DrawGarment(skirt));
+    EXPECT_NEAR(MeasureValue(MeasurePattern(pattern), "hem_width"), 2.0 * half_hem, 0.005);
+    ExpectCut(pattern);
+  }
+}
+
+TEST(ReconcileDress, FollowsAVNeck) {
+  DrawnDress dress;
+  dress.v_neck = true;
+  dress.front_drop = 0.18;
+  const GarmentPattern pattern = Reconciled(DrawGarment(dress, {.crumple = 0.0005}, {.crumple = 0.0005}));
+  EXPECT_NEAR(FindPatternPoint(pattern.front, "neck_drop")->y(), -dress.front_drop, 0.003);
+  const Eigen::Vector2d drop(0.0, -dress.front_drop), end(dress.half_neck, 0.0);
+  for (const Eigen::Vector2d& p : FindSection(pattern.front, "neck")->points) {
+    EXPECT_LT(panels::DistanceToSegment({std::abs(p.x()), p.y()}, drop, end), 0.004) << p.transpose();
+  }
+  ExpectCut(pattern);
+}
+
+TEST(ReconcileSkirt, SewsSlitsUp) {
+  for (const double depth : {0.05, 0.15, 0.25}) {
+    const GarmentPattern pattern = Reconciled(DrawGarment(DrawnSkirt{.slit_depth = depth}));
+    for (const Eigen::Vector2d& p : FindSection(pattern.front, "hem")->points) {
+      EXPECT_NEAR(p.y(), -0.60, 0.004) << "slit " << depth << " at " << p.transpose();
+    }
+    ExpectCut(pattern);
+  }
+}
+
+TEST(ReconcileTrousers, FindsThePointsOfEachLegAcrossANarrowGap) {
+  // Legs 6 mm apart; points are given up to 5 mm off, so that some lie nearer to the other leg.
+  DrawnTrousers trousers;
+  trousers.inner_hem = 0.003;
+  trousers.outer_hem = 0.17;
+  Garment garment = DrawGarment(trousers);
+  for (GarmentView* view : {&garment.front, &*garment.back}) {
+    for (OutlinePoint& point : view->points) {
+      const bool inner = point.name == "hem_inner_L" || point.name == "knee_inner_L" || point.name == "thigh_inner_R";
+      if (inner) point.pixel.x() = 750.0 + (point.pixel.x() - 750.0) * -1.5;
+    }
+  }
+  const GarmentPattern pattern = Reconciled(garment);
+  const std::vector<GarmentMeasure> measures = MeasurePattern(pattern);
+  EXPECT_NEAR(MeasureValue(measures, "hem_width"), 0.167, 0.003);
+  EXPECT_NEAR(MeasureValue(measures, "inseam"), 0.73, 0.012);  // Parting the legs lengthens it.
+}
+
+TEST_P(EveryKind, NeverCrashesOnPointsThatWander) {
+  int good_count = 0, refused_count = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    std::normal_distribution<double> step(0.0, std::pow(10.0, 0.3 + 2.0 * seed / 40.0));
+    Garment garment = DrawKind(GetParam(), {.pixels_per_metre = 500}, {.tilt_deg = 4, .pixels_per_metre = 500});
+    for (GarmentView* view : {&garment.front, &*garment.back}) {
+      for (OutlinePoint& point : view->points) point.pixel += Eigen::Vector2d(step(random), step(random));
+      if (seed % 3 != 0) continue;
+      for (Eigen::Vector2d& p : view->outline) p += 0.2 * Eigen::Vector2d(step(random), step(random));
+    }
+    const Result<GarmentPattern> pattern = ReconcileViews(garment);
+    if (!pattern.ok()) {
+      EXPECT_FALSE(pattern.status().reason().empty());
+      ++refused_count;
+      continue;
+    }
+    const Result<ClothMesh> mesh = MeshPattern(*pattern, 0.03);
+    EXPECT_TRUE(mesh.ok() || !mesh.status().reason().empty());
+    if (mesh.ok()) {
+      EXPECT_EQ(ComputeEulerCharacteristic(*mesh), ExpectedEulerCharacteristic(GetParam()));
+      for (const Eigen::Vector2d& uv : mesh->texture_coordinates) EXPECT_TRUE(uv.allFinite());
+    }
+    ++good_count;
+  }
+  EXPECT_GT(good_count, 3);
+  EXPECT_GT(refused_count, 5);
 }
 
 }  // namespace

@@ -112,7 +112,8 @@ TEST_P(PhotographedTShirt, BecomesOneGarmentOfPlausibleSizeThatShowsOnlyItself) 
   EXPECT_NEAR(MeasureLength(*pattern) / kLength, 1.0, 0.01);
   const CountedMask front = CountMask(name + "-front.mask.png"), back = CountMask(name + "-back.mask.png");
   const double counted = 0.5 * kLength * (front.torso_width / front.height + back.torso_width / back.height);
-  EXPECT_NEAR(PatternTorsoWidth(*pattern) / counted, 1.0, 0.01);
+  // The pixels are counted down to the hem below the shoulder; the length reaches to the hem's corners.
+  EXPECT_NEAR(PatternTorsoWidth(*pattern) / counted, 1.0, 0.015);
   EXPECT_GT(MeasureValue(measures, "sleeve_length"), 0.12);
   EXPECT_LT(MeasureValue(measures, "sleeve_length"), 0.28);
   const double upper_arm = panels::DistanceToChain(*FindPatternPoint(pattern->front, "underarm_L"),
