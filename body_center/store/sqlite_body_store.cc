@@ -1,18 +1,15 @@
 #include "body_center/store/sqlite_body_store.h"
 
-#include <algorithm>
 #include <array>
-#include <cstdio>
 #include <ctime>
-#include <mutex>
-#include <random>
 #include <utility>
 
 #include "body_center/store/sqlite_scan_rows.h"
-#include "common/base/folder_lock.h"
 #include "common/codec/zstd.h"
 #include "common/sqlite/blob_table.h"
-#include "common/sqlite/database.h"
+#include "common/store/columns.h"
+#include "common/store/store_connections.h"
+#include "common/store/upload_rows.h"
 
 namespace fitroom::body_center {
 namespace {
@@ -20,6 +17,11 @@ namespace {
 using sqlite::Database;
 using sqlite::Statement;
 using sqlite::Transaction;
+using store::AsBytes;
+using store::AsText;
+using store::HashBytes;
+using store::HashFromRow;
+using store::StoreConnections;
 
 // How much of an original goes into one frame (unit: byte): its frame fits a 1 MiB row even if it does not shrink.
 constexpr size_t kOriginalBlockSize = size_t{960} << 10;
@@ -39,22 +41,6 @@ struct PackedBlock {
   int64_t size = 0;
   std::string stored;
 };
-
-std::string NewUploadId() {
-  std::random_device source;
-  std::array<char, 33> text{};
-  std::snprintf(text.data(), text.size(), "%08x%08x%08x%08x", source(), source(), source(), source());
-  return text.data();
-}
-
-std::span<const std::byte> AsBytes(std::string_view text) { return std::as_bytes(std::span(text.data(), text.size())); }
-std::string_view AsText(std::span<const std::byte> bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
-Status UploadNotFound() {
-  return NotFound("UPLOAD_NOT_FOUND", "no such upload: it is finished, cancelled or dropped; start it again");
-}
 
 Status ScanExists(const ScanName& name) {
   return Status(StatusCode::kAlreadyExists, "SCAN_EXISTS",
@@ -81,16 +67,13 @@ Result<std::string> UnpackBlock(const sqlite::BlobBlock& block) {
 
 class SqliteBodyStore final : public BodyStore {
  public:
-  SqliteBodyStore(FolderLock lock, Database writer, Database reader)
-      : lock_(std::move(lock)), writer_(std::move(writer)), reader_(std::move(reader)) {}
-
-  ~SqliteBodyStore() override { (void)writer_.Checkpoint(); }
+  explicit SqliteBodyStore(std::unique_ptr<StoreConnections> connections) : connections_(std::move(connections)) {}
 
   Result<ScanUpload> StartUpload(const ScanUploadStatement& statement) override {
-    const std::lock_guard guard(writer_mutex_);
-    FR_ASSIGN_OR_RETURN(Transaction transaction, Transaction::Begin(writer_));
-    FR_RETURN_IF_ERROR(CheckNotPublished(statement.name));
-    Result<UploadRow> found = SelectUpload(writer_, kByName, statement.name.body, statement.name.scan);
+    const StoreConnections::Held writer = connections_->Writer();
+    FR_ASSIGN_OR_RETURN(Transaction transaction, Transaction::Begin(*writer));
+    FR_RETURN_IF_ERROR(CheckNotPublished(*writer, statement.name));
+    Result<UploadRow> found = SelectUpload(*writer, kByName, statement.name.body, statement.name.scan);
     if (found.ok()) {
       if (found->upload.statement == statement) return found->upload;
       return FailedPrecondition("UPLOAD_DIFFERS",
@@ -98,45 +81,43 @@ class SqliteBodyStore final : public BodyStore {
                                 "finished or dropped, or choose another scan id");
     }
     if (found.status().code() != StatusCode::kNotFound) return found.status();
-    ScanUpload upload{.id = NewUploadId(), .statement = statement};
-    FR_ASSIGN_OR_RETURN(const int64_t blob, sqlite::CreateBlob(writer_));
-    FR_RETURN_IF_ERROR(InsertUpload(upload, blob));
+    ScanUpload upload{.id = store::NewUploadId(), .statement = statement};
+    FR_ASSIGN_OR_RETURN(const int64_t blob, sqlite::CreateBlob(*writer));
+    FR_RETURN_IF_ERROR(InsertUpload(*writer, upload, blob));
     FR_RETURN_IF_ERROR(transaction.Commit());
     return upload;
   }
 
   Result<ScanUpload> FindUpload(std::string_view id) override {
-    const std::lock_guard guard(writer_mutex_);
-    FR_ASSIGN_OR_RETURN(UploadRow row, SelectUpload(writer_, kById, id, ""));
+    const StoreConnections::Held writer = connections_->Writer();
+    FR_ASSIGN_OR_RETURN(UploadRow row, SelectUpload(*writer, kById, id, ""));
     return std::move(row.upload);
   }
 
   Result<int64_t> AppendToUpload(std::string_view id, int64_t offset, std::string_view bytes) override {
     const std::vector<PackedBlock> blocks = PackBlocks(bytes);
-    const std::lock_guard guard(writer_mutex_);
-    FR_ASSIGN_OR_RETURN(Transaction transaction, Transaction::Begin(writer_));
-    FR_ASSIGN_OR_RETURN(const UploadRow row, SelectUpload(writer_, kById, id, ""));
+    const StoreConnections::Held writer = connections_->Writer();
+    FR_ASSIGN_OR_RETURN(Transaction transaction, Transaction::Begin(*writer));
+    FR_ASSIGN_OR_RETURN(const UploadRow row, SelectUpload(*writer, kById, id, ""));
     int64_t end = offset;
     for (const PackedBlock& block : blocks) {
-      FR_RETURN_IF_ERROR(sqlite::AppendBlobBlock(writer_, row.blob, {end, block.size, AsBytes(block.stored)}));
+      FR_RETURN_IF_ERROR(sqlite::AppendBlobBlock(*writer, row.blob, {end, block.size, AsBytes(block.stored)}));
       end += block.size;
     }
     if (end > row.upload.statement.size) {
-      return Status(StatusCode::kOutOfRange, "UPLOAD_TOO_LONG", "more bytes than were stated at the start");
+      return store::UploadTooLong();
     }
-    FR_ASSIGN_OR_RETURN(Statement touch,
-                        writer_.Prepare("UPDATE uploads SET touch_time_unix_s = ?1 WHERE upload = ?2"));
-    FR_RETURN_IF_ERROR(touch.Bind(1, int64_t{std::time(nullptr)}).Bind(2, id).Run());
+    FR_RETURN_IF_ERROR(store::TouchUpload(*writer, id));
     FR_RETURN_IF_ERROR(transaction.Commit());
     return end;
   }
 
   Result<std::string> ReadUpload(std::string_view id) override {
-    const std::lock_guard guard(reader_mutex_);
-    FR_ASSIGN_OR_RETURN(const UploadRow row, SelectUpload(reader_, kById, id, ""));
+    const StoreConnections::Held reader = connections_->Reader();
+    FR_ASSIGN_OR_RETURN(const UploadRow row, SelectUpload(*reader, kById, id, ""));
     std::string bytes;
     bytes.reserve(static_cast<size_t>(row.upload.committed_size));
-    FR_RETURN_IF_ERROR(sqlite::VisitBlobBlocks(reader_, row.blob, [&](const sqlite::BlobBlock& block) -> Status {
+    FR_RETURN_IF_ERROR(sqlite::VisitBlobBlocks(*reader, row.blob, [&](const sqlite::BlobBlock& block) -> Status {
       FR_ASSIGN_OR_RETURN(const std::string part, UnpackBlock(block));
       bytes += part;
       return Status();
@@ -145,70 +126,53 @@ class SqliteBodyStore final : public BodyStore {
   }
 
   Status DropUpload(std::string_view id) override {
-    const std::lock_guard guard(writer_mutex_);
-    FR_ASSIGN_OR_RETURN(Transaction transaction, Transaction::Begin(writer_));
-    const Result<UploadRow> row = SelectUpload(writer_, kById, id, "");
+    const StoreConnections::Held writer = connections_->Writer();
+    FR_ASSIGN_OR_RETURN(Transaction transaction, Transaction::Begin(*writer));
+    const Result<UploadRow> row = SelectUpload(*writer, kById, id, "");
     if (!row.ok()) return row.status().code() == StatusCode::kNotFound ? Status() : row.status();
-    FR_RETURN_IF_ERROR(DeleteUpload(id));
-    FR_RETURN_IF_ERROR(sqlite::DeleteBlob(writer_, row->blob));
+    FR_RETURN_IF_ERROR(store::DeleteUploadRow(*writer, id));
+    FR_RETURN_IF_ERROR(sqlite::DeleteBlob(*writer, row->blob));
     return transaction.Commit();
   }
 
   Result<int64_t> DropUploadsBefore(int64_t unix_s) override {
-    std::vector<std::string> ids;
-    {
-      const std::lock_guard guard(writer_mutex_);
-      FR_ASSIGN_OR_RETURN(Statement select, writer_.Prepare("SELECT upload FROM uploads WHERE touch_time_unix_s < ?1"));
-      select.Bind(1, unix_s);
-      for (;;) {
-        FR_ASSIGN_OR_RETURN(const bool has_row, select.Step());
-        if (!has_row) break;
-        ids.push_back(select.Text(0));
-      }
-    }
-    for (const std::string& id : ids) FR_RETURN_IF_ERROR(DropUpload(id));
-    return static_cast<int64_t>(ids.size());
+    return store::DropStaleUploads(*connections_, unix_s, [this](std::string_view id) { return DropUpload(id); });
   }
 
   Status PublishScan(std::string_view upload_id, const ScanRecord& scan, std::string_view packed_mesh) override {
-    const std::lock_guard guard(writer_mutex_);
-    FR_ASSIGN_OR_RETURN(Transaction transaction, Transaction::Begin(writer_));
-    FR_ASSIGN_OR_RETURN(const UploadRow row, SelectUpload(writer_, kById, upload_id, ""));
+    const StoreConnections::Held writer = connections_->Writer();
+    FR_ASSIGN_OR_RETURN(Transaction transaction, Transaction::Begin(*writer));
+    FR_ASSIGN_OR_RETURN(const UploadRow row, SelectUpload(*writer, kById, upload_id, ""));
     const ScanUploadStatement& statement = row.upload.statement;
     if (row.upload.committed_size != statement.size) {
-      return FailedPrecondition("UPLOAD_INCOMPLETE",
-                                "bytes are missing; ask how far the upload is and go on from there");
+      return store::UploadIncomplete();
     }
     FR_CHECK(scan.name == statement.name && scan.original_hash == statement.hash);
     FR_CHECK(scan.original_size == statement.size && scan.packed_mesh_size == std::ssize(packed_mesh));
-    FR_RETURN_IF_ERROR(CheckNotPublished(scan.name));
-    FR_ASSIGN_OR_RETURN(const int64_t mesh_blob, sqlite::CreateBlob(writer_));
-    for (size_t start = 0; start < packed_mesh.size(); start += sqlite::kMaxBlobRowSize) {
-      const std::string_view part = packed_mesh.substr(start, sqlite::kMaxBlobRowSize);
-      FR_RETURN_IF_ERROR(sqlite::AppendBlobBlock(
-          writer_, mesh_blob, {static_cast<int64_t>(start), static_cast<int64_t>(part.size()), AsBytes(part)}));
-    }
-    FR_RETURN_IF_ERROR(InsertScan(writer_, scan, row.blob, mesh_blob));
-    FR_RETURN_IF_ERROR(DeleteUpload(upload_id));
+    FR_RETURN_IF_ERROR(CheckNotPublished(*writer, scan.name));
+    FR_ASSIGN_OR_RETURN(const int64_t mesh_blob, sqlite::CreateBlob(*writer));
+    FR_RETURN_IF_ERROR(store::AppendPlainRows(*writer, mesh_blob, /*offset=*/0, packed_mesh).status());
+    FR_RETURN_IF_ERROR(InsertScan(*writer, scan, row.blob, mesh_blob));
+    FR_RETURN_IF_ERROR(store::DeleteUploadRow(*writer, upload_id));
     return transaction.Commit();
   }
 
   Result<ScanRecord> FindScan(const ScanName& name) override {
-    const std::lock_guard guard(reader_mutex_);
-    return SelectScan(reader_, name);
+    const StoreConnections::Held reader = connections_->Reader();
+    return SelectScan(*reader, name);
   }
 
   Result<std::vector<ScanRecord>> ListScans(std::string_view body, const ScanName& after, int limit) override {
-    const std::lock_guard guard(reader_mutex_);
-    return SelectScans(reader_, body, after, limit);
+    const StoreConnections::Held reader = connections_->Reader();
+    return SelectScans(*reader, body, after, limit);
   }
 
   Result<std::string> ReadContent(const ScanName& name, ScanContent content, int64_t offset) override {
-    const std::lock_guard guard(reader_mutex_);
-    FR_ASSIGN_OR_RETURN(const ContentRow row, SelectContent(reader_, name, content));
+    const StoreConnections::Held reader = connections_->Reader();
+    FR_ASSIGN_OR_RETURN(const ContentRow row, SelectContent(*reader, name, content));
     if (offset == row.size) return std::string();
     std::string bytes;
-    FR_RETURN_IF_ERROR(sqlite::VisitBlobBlock(reader_, row.blob, offset, [&](const sqlite::BlobBlock& block) -> Status {
+    FR_RETURN_IF_ERROR(sqlite::VisitBlobBlock(*reader, row.blob, offset, [&](const sqlite::BlobBlock& block) -> Status {
       if (content == ScanContent::kPackedMesh) {
         bytes = AsText(block.stored);
       } else {
@@ -221,8 +185,8 @@ class SqliteBodyStore final : public BodyStore {
   }
 
  private:
-  Status CheckNotPublished(const ScanName& name) {
-    const Status found = SelectScan(writer_, name).status();
+  static Status CheckNotPublished(Database& database, const ScanName& name) {
+    const Status found = SelectScan(database, name).status();
     if (found.ok()) return ScanExists(name);
     return found.code() == StatusCode::kNotFound ? Status() : found;
   }
@@ -236,7 +200,7 @@ class SqliteBodyStore final : public BodyStore {
                                                      "FROM uploads JOIN blobs USING (blob_id) WHERE ") +
                                          condition));
     FR_ASSIGN_OR_RETURN(const bool has_row, select.Bind(1, first).Bind(2, second).Step());
-    if (!has_row) return UploadNotFound();
+    if (!has_row) return store::UploadNotFound();
     UploadRow row;
     row.upload.id = select.Text(0);
     ScanUploadStatement& statement = row.upload.statement;
@@ -252,42 +216,29 @@ class SqliteBodyStore final : public BodyStore {
     return row;
   }
 
-  Status InsertUpload(const ScanUpload& upload, int64_t blob) {
+  static Status InsertUpload(Database& database, const ScanUpload& upload, int64_t blob) {
     const ScanUploadStatement& statement = upload.statement;
     FR_ASSIGN_OR_RETURN(Statement insert,
-                        writer_.Prepare("INSERT INTO uploads (upload, body, scan, file_name, size_bytes, blake2b_256, "
-                                        "up, facing, unit, blob_id, touch_time_unix_s) "
-                                        "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11)"));
+                        database.Prepare("INSERT INTO uploads (upload, body, scan, file_name, size_bytes, blake2b_256, "
+                                         "up, facing, unit, blob_id, touch_time_unix_s) "
+                                         "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11)"));
     insert.Bind(1, upload.id).Bind(2, statement.name.body).Bind(3, statement.name.scan).Bind(4, statement.file_name);
     insert.Bind(5, statement.size).Bind(6, HashBytes(statement.hash));
     insert.Bind(7, statement.up).Bind(8, statement.facing).Bind(9, statement.unit);
     return insert.Bind(10, blob).Bind(11, int64_t{std::time(nullptr)}).Run();
   }
 
-  Status DeleteUpload(std::string_view id) {
-    FR_ASSIGN_OR_RETURN(Statement remove, writer_.Prepare("DELETE FROM uploads WHERE upload = ?1"));
-    return remove.Bind(1, id).Run();
-  }
-
-  FolderLock lock_;
-  std::mutex writer_mutex_;
-  Database writer_;  // The only connection that writes and checkpoints.
-  std::mutex reader_mutex_;
-  Database reader_;
+  std::unique_ptr<StoreConnections> connections_;
 };
 
 }  // namespace
 
 Result<std::unique_ptr<BodyStore>> OpenSqliteBodyStore(const std::filesystem::path& folder) {
-  FR_ASSIGN_OR_RETURN(FolderLock lock, FolderLock::Take(folder));
-  const std::filesystem::path path = folder / "body_center.sqlite";
-  FR_ASSIGN_OR_RETURN(Database writer, Database::Open(path, sqlite::Access::kReadWrite));
   const std::string first = std::string(sqlite::kBlobSchema) + kScanSchema;
-  const std::array<const char*, 1> migrations = {first.c_str()};
-  FR_RETURN_IF_ERROR(writer.Migrate(migrations));
-  FR_ASSIGN_OR_RETURN(Database reader, Database::Open(path, sqlite::Access::kReadOnly));
-  return std::unique_ptr<BodyStore>(
-      std::make_unique<SqliteBodyStore>(std::move(lock), std::move(writer), std::move(reader)));
+  const std::array<const char*, 2> migrations = {first.c_str(), kScanIndexSchema};
+  FR_ASSIGN_OR_RETURN(std::unique_ptr<StoreConnections> connections,
+                      StoreConnections::Open(folder, "body_center.sqlite", migrations));
+  return std::unique_ptr<BodyStore>(std::make_unique<SqliteBodyStore>(std::move(connections)));
 }
 
 }  // namespace fitroom::body_center

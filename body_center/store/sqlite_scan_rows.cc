@@ -4,10 +4,14 @@
 #include <array>
 #include <utility>
 
+#include "common/store/columns.h"
+
 namespace fitroom::body_center {
 
 using sqlite::Database;
 using sqlite::Statement;
+using store::HashBytes;
+using store::HashFromRow;
 
 const char kScanSchema[] = R"sql(
 CREATE TABLE scans (
@@ -69,6 +73,12 @@ CREATE TABLE uploads (
   UNIQUE (body, scan)
 ) STRICT;
 CREATE INDEX uploads_by_blob ON uploads (blob_id);
+)sql";
+
+const char kScanIndexSchema[] = R"sql(
+CREATE INDEX IF NOT EXISTS scans_by_original_blob ON scans (original_blob_id);
+CREATE INDEX IF NOT EXISTS scans_by_packed_mesh_blob ON scans (packed_mesh_blob_id);
+CREATE INDEX IF NOT EXISTS uploads_by_blob ON uploads (blob_id);
 )sql";
 
 namespace {
@@ -196,15 +206,6 @@ Result<ScanRecord> ReadScanRow(Database& database, const Statement& row) {
 Status ScanNotFound(const ScanName& name) { return NotFound("SCAN_NOT_FOUND", ToString(name) + ": no such scan"); }
 
 }  // namespace
-
-Result<Hash256> HashFromRow(const Statement& row, int column) {
-  const std::span<const std::byte> bytes = row.Bytes(column);
-  const std::optional<Hash256> hash = Hash256::FromBytes({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-  if (!hash) return DataLoss("DATABASE_CORRUPT", "database: a hash that is none; restore it from a backup");
-  return *hash;
-}
-
-std::span<const std::byte> HashBytes(const Hash256& hash) { return std::as_bytes(std::span(hash.bytes)); }
 
 Status InsertScan(Database& database, const ScanRecord& scan, int64_t original_blob, int64_t packed_mesh_blob) {
   FR_ASSIGN_OR_RETURN(

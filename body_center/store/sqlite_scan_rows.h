@@ -12,11 +12,8 @@ namespace fitroom::body_center {
 
 // The tables beside those of the blobs; part of the first migration.
 extern const char kScanSchema[];
-
-// Reads a column of 32 bytes; DATA_LOSS [DATABASE_CORRUPT] if it holds anything else.
-Result<Hash256> HashFromRow(const sqlite::Statement& row, int column);
-// The bytes of a hash for binding; valid while the hash lives.
-std::span<const std::byte> HashBytes(const Hash256& hash);
+// The second migration: the indexes that the first databases were made without.
+extern const char kScanIndexSchema[];
 
 // Inserts all rows of a scan. ALREADY_EXISTS [DATABASE_CONFLICT] if the name is taken.
 Status InsertScan(sqlite::Database& database, const ScanRecord& scan, int64_t original_blob, int64_t packed_mesh_blob);

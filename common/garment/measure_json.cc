@@ -32,7 +32,7 @@ Result<std::vector<GarmentMeasure>> NumbersFromJson(const ObjectReader& reader) 
 
 Result<GarmentSize> SizeFromJson(const ObjectReader& reader) {
   GarmentSize size;
-  FR_ASSIGN_OR_RETURN(size.name, reader.String("size"));
+  FR_ASSIGN_OR_RETURN(size.name, reader.String("name"));
   FR_ASSIGN_OR_RETURN(const Json* measures, reader.Member("measures_cm"));
   FR_ASSIGN_OR_RETURN(size.measures,
                       NumbersFromJson(ObjectReader(*measures, reader.place() + ".measures_cm", reader.reason())));
@@ -92,7 +92,7 @@ Result<std::vector<GarmentMeasure>> MeasuresFromJson(const ObjectReader& reader)
 Json ChartToJson(const SizeChart& chart) {
   Json sizes = Json::array();
   for (const GarmentSize& size : chart.sizes) {
-    Json row = {{"size", size.name}, {"measures_cm", NumbersToJson(size.measures)}};
+    Json row = {{"name", size.name}, {"measures_cm", NumbersToJson(size.measures)}};
     if (!size.body.empty()) row["body_cm"] = NumbersToJson(size.body);
     sizes.push_back(std::move(row));
   }

@@ -19,7 +19,7 @@ double ToCentimetres(double metres);
 Json MeasuresToJson(const std::vector<GarmentMeasure>& measures);
 Result<std::vector<GarmentMeasure>> MeasuresFromJson(const ObjectReader& reader);
 
-// {"photographed_size": "M", "sizes": [{"size": "S", "measures_cm": {…}, "body_cm": {…}}, …]}; all bare numbers.
+// {"photographed_size": "M", "sizes": [{"name": "S", "measures_cm": {…}, "body_cm": {…}}, …]}; all bare numbers.
 Json ChartToJson(const SizeChart& chart);
 // Reads form and bounds; ValidateSizeChart() says whether it is a chart of the kind. Without "photographed_size" that
 // stays empty.

@@ -190,7 +190,7 @@ std::string SizeChartFileHelp() {
   for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
   return "Size chart: a CSV table with the columns size (first), flat measures in cm (" + known +
          "; each kind has its own) and body_bust, body_waist, body_hip (full girths in cm); one line a size, the "
-         "smallest first. Or JSON: {\"photographed_size\": \"M\", \"sizes\": [{\"size\": \"S\", \"measures_cm\": "
+         "smallest first. Or JSON: {\"photographed_size\": \"M\", \"sizes\": [{\"name\": \"S\", \"measures_cm\": "
          "{\"chest_width\": 46}, \"body_cm\": {\"bust\": 84}}, ...]}";
 }
 

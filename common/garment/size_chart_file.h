@@ -18,7 +18,7 @@
 // girths of the body that the size is cut for. An empty cell is not stated. Columns are parted by ',', ';' or tabs;
 // with the last two a number may have a decimal comma. Lines that start with '#' and empty lines are skipped.
 //
-// JSON: {"photographed_size": "M", "sizes": [{"size": "S", "measures_cm": {"chest_width": 46}, "body_cm": {"bust":
+// JSON: {"photographed_size": "M", "sizes": [{"name": "S", "measures_cm": {"chest_width": 46}, "body_cm": {"bust":
 // 84}}]}
 namespace fitroom {
 

@@ -64,7 +64,9 @@ bool IsSizeName(const std::string& name) {
 
 Status CheckSizeNames(const SizeChart& chart) {
   std::set<std::string> names;
+  std::vector<std::string> order;
   for (const GarmentSize& size : chart.sizes) {
+    order.push_back(size.name);
     if (!IsSizeName(size.name)) {
       return InvalidArgument("CHART_SIZE_NAME", "size " + std::to_string(names.size() + 1) +
                                                     " of the chart: a size's name is 1 to 16 printable ASCII "
@@ -77,8 +79,7 @@ Status CheckSizeNames(const SizeChart& chart) {
   if (!names.contains(chart.photographed_size)) {
     return InvalidArgument("CHART_PHOTOGRAPHED_SIZE",
                            "the photographed size " + Quoted(chart.photographed_size) +
-                               " is none of the chart's; name the size that the photographs show: " +
-                               Listed({names.begin(), names.end()}));
+                               " is none of the chart's; name the size that the photographs show: " + Listed(order));
   }
   return {};
 }

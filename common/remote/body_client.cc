@@ -3,10 +3,9 @@
 #include <algorithm>
 
 #include "common/remote/body_convert.h"
-#include "common/remote/chunk.h"
 #include "common/remote/list_all.h"
 #include "common/rpc/client.h"
-#include "common/rpc/status_conversion.h"
+#include "common/transfer/service_caller.h"
 #include "fitroom/body/v1/scan_service.grpc.pb.h"
 
 namespace fitroom::remote {
@@ -14,30 +13,11 @@ namespace fitroom::remote {
 using body::v1::ScanService;
 
 struct BodyClient::Impl {
-  std::string server;
-  std::unique_ptr<ScanService::Stub> stub;
-  rpc::RetryPolicy retries;
-
-  Status Error(const grpc::Status& status) const { return rpc::FromGrpcStatus(status, server); }
-
-  // Makes one unary call, repeated while that may help.
-  template <typename Request, typename Response>
-  Status Call(grpc::Status (ScanService::Stub::*method)(grpc::ClientContext*, const Request&, Response*),
-              const Request& request, Response& response, std::chrono::milliseconds timeout) const {
-    return rpc::RetryTransient(retries, [&] {
-      const auto context = rpc::MakeClientContext(timeout);
-      return Error((stub.get()->*method)(context.get(), request, &response));
-    });
-  }
-
-  Status DownloadOnce(const ScanName& name, ScanContent content, int64_t& offset,
-                      const std::function<Status(std::string_view)>& sink, Status& sink_status) const;
+  transfer::ServiceCaller<ScanService> caller;
 };
 
 BodyClient::BodyClient(const std::string& address, int attempt_count)
-    : impl_(new Impl{"body center at " + address,
-                     ScanService::NewStub(rpc::OpenChannel(address)),
-                     {.attempt_count = attempt_count}}) {}
+    : impl_(new Impl{{"body center at " + address, address, attempt_count}}) {}
 
 BodyClient::~BodyClient() = default;
 
@@ -45,7 +25,7 @@ Result<ScanUpload> BodyClient::StartUpload(const ScanUploadStatement& statement)
   body::v1::StartScanUploadRequest request;
   ToProto(statement, request);
   body::v1::StartScanUploadResponse response;
-  FR_RETURN_IF_ERROR(impl_->Call(&ScanService::Stub::StartScanUpload, request, response, rpc::kQuickCall));
+  FR_RETURN_IF_ERROR(impl_->caller.Call(&ScanService::Stub::StartScanUpload, request, response, rpc::kQuickCall));
   FR_ASSIGN_OR_RETURN(ScanUpload upload, UploadFromProto(response.upload()));
   upload.statement = statement;
   return upload;
@@ -55,30 +35,15 @@ Result<ScanUpload> BodyClient::GetUpload(const ScanUpload& upload) {
   body::v1::GetScanUploadRequest request;
   request.set_name(UploadName(upload));
   body::v1::GetScanUploadResponse response;
-  FR_RETURN_IF_ERROR(impl_->Call(&ScanService::Stub::GetScanUpload, request, response, rpc::kQuickCall));
+  FR_RETURN_IF_ERROR(impl_->caller.Call(&ScanService::Stub::GetScanUpload, request, response, rpc::kQuickCall));
   return UploadFromProto(response.upload());
 }
 
 Result<int64_t> BodyClient::SendBytes(const ScanUpload& upload, int64_t offset, std::string_view bytes,
                                       const std::function<void(int64_t)>& progress) {
-  const auto context = rpc::MakeClientContext(rpc::kStreamCall);
-  rpc::ClientStallGuard guard(*context);
-  body::v1::UploadScanResponse response;
-  const auto writer = impl_->stub->UploadScan(context.get(), &response);
-  body::v1::UploadScanRequest request;
-  request.set_upload(UploadName(upload));
-  for (size_t sent = 0; sent < bytes.size();) {
-    const std::string_view piece = bytes.substr(sent, kMaxChunkSize);
-    FillChunk(offset + static_cast<int64_t>(sent), piece, *request.mutable_chunk());
-    if (!writer->Write(request)) break;
-    guard.Progress();
-    sent += piece.size();
-    request.clear_upload();
-    if (progress) progress(offset + static_cast<int64_t>(sent));
-  }
-  writer->WritesDone();
-  FR_RETURN_IF_ERROR(impl_->Error(writer->Finish()));
-  return response.committed_size_bytes();
+  body::v1::UploadScanRequest first;
+  first.set_upload(UploadName(upload));
+  return impl_->caller.Send(&ScanService::Stub::UploadScan, std::move(first), offset, bytes, progress);
 }
 
 Result<ScanRecord> BodyClient::FinishUpload(const ScanUpload& upload, const Hash256& hash) {
@@ -87,7 +52,7 @@ Result<ScanRecord> BodyClient::FinishUpload(const ScanUpload& upload, const Hash
   request.set_size_bytes(upload.statement.size);
   request.set_blake2b_256(std::string(hash.view()));
   body::v1::FinishScanUploadResponse response;
-  FR_RETURN_IF_ERROR(impl_->Call(&ScanService::Stub::FinishScanUpload, request, response, rpc::kLongCall));
+  FR_RETURN_IF_ERROR(impl_->caller.Call(&ScanService::Stub::FinishScanUpload, request, response, rpc::kLongCall));
   return ScanRecordFromProto(response.scan());
 }
 
@@ -95,7 +60,7 @@ Status BodyClient::CancelUpload(const ScanUpload& upload) {
   body::v1::CancelScanUploadRequest request;
   request.set_name(UploadName(upload));
   body::v1::CancelScanUploadResponse response;
-  return impl_->Call(&ScanService::Stub::CancelScanUpload, request, response, rpc::kQuickCall);
+  return impl_->caller.Call(&ScanService::Stub::CancelScanUpload, request, response, rpc::kQuickCall);
 }
 
 Result<ScanRecord> BodyClient::Register(const ScanUploadStatement& statement, std::string_view file,
@@ -115,12 +80,12 @@ Result<ScanRecord> BodyClient::Register(const ScanUploadStatement& statement, st
     return started.status().reason() == "SCAN_EXISTS" ? find_published() : Result<ScanRecord>(started.status());
   }
   ScanUpload upload = std::move(started).value();
-  const Status sent = rpc::RetryTransient(impl_->retries, [&]() -> Status {
+  const Status sent = rpc::RetryTransient(impl_->caller.retries(), [&]() -> Status {
     // Where the upload stands is the server's to say.
     FR_ASSIGN_OR_RETURN(const ScanUpload now, GetUpload(upload));
     if (now.committed_size > statement.size) {
       return DataLoss("UPLOAD_SIZE_MISMATCH",
-                      impl_->server + " holds more bytes than the file has; choose another scan id");
+                      impl_->caller.server() + " holds more bytes than the file has; choose another scan id");
     }
     upload.committed_size = now.committed_size;
     if (upload.committed_size == statement.size) return Status();
@@ -139,7 +104,7 @@ Result<ScanRecord> BodyClient::GetScan(const ScanName& name) {
   body::v1::GetScanRequest request;
   request.set_name(ToString(name));
   body::v1::GetScanResponse response;
-  FR_RETURN_IF_ERROR(impl_->Call(&ScanService::Stub::GetScan, request, response, rpc::kQuickCall));
+  FR_RETURN_IF_ERROR(impl_->caller.Call(&ScanService::Stub::GetScan, request, response, rpc::kQuickCall));
   return ScanRecordFromProto(response.scan());
 }
 
@@ -149,7 +114,7 @@ Result<ScanPage> BodyClient::ListScans(std::string_view body, int page_size, con
   request.set_page_size(page_size);
   request.set_page_token(page_token);
   body::v1::ListScansResponse response;
-  FR_RETURN_IF_ERROR(impl_->Call(&ScanService::Stub::ListScans, request, response, rpc::kQuickCall));
+  FR_RETURN_IF_ERROR(impl_->caller.Call(&ScanService::Stub::ListScans, request, response, rpc::kQuickCall));
   ScanPage page;
   page.next_page_token = response.next_page_token();
   for (const body::v1::Scan& message : response.scans()) {
@@ -166,39 +131,12 @@ Result<std::vector<ScanRecord>> BodyClient::ListAllScans(std::string_view body) 
   });
 }
 
-// One stream; `offset` moves with what `sink` has taken, so that the next one can go on there.
-Status BodyClient::Impl::DownloadOnce(const ScanName& name, ScanContent content, int64_t& offset,
-                                      const std::function<Status(std::string_view)>& sink, Status& sink_status) const {
+Status BodyClient::Download(const ScanName& name, ScanContent content, int64_t offset,
+                            const std::function<Status(std::string_view)>& sink) {
   body::v1::DownloadScanRequest request;
   request.set_name(ToString(name));
   request.set_content(ToProto(content));
-  request.set_offset_bytes(offset);
-  const auto context = rpc::MakeClientContext(rpc::kStreamCall);
-  rpc::ClientStallGuard guard(*context);
-  const auto reader = stub->DownloadScan(context.get(), request);
-  body::v1::DownloadScanResponse response;
-  Status taken;
-  while (taken.ok() && reader->Read(&response)) {
-    guard.Progress();
-    taken = CheckChunk(response.chunk(), offset);
-    if (taken.ok()) {
-      taken = sink_status = sink(response.chunk().data());
-      offset += static_cast<int64_t>(response.chunk().data().size());
-    }
-  }
-  if (!taken.ok()) context->TryCancel();
-  const Status finished = Error(reader->Finish());
-  return taken.ok() ? finished : taken;
-}
-
-Status BodyClient::Download(const ScanName& name, ScanContent content, int64_t offset,
-                            const std::function<Status(std::string_view)>& sink) {
-  Status sink_status;
-  const Status status = rpc::RetryTransient(impl_->retries, [&]() -> Status {
-    const Status outcome = impl_->DownloadOnce(name, content, offset, sink, sink_status);
-    return sink_status.ok() ? outcome : Status();  // The sink's own error is not the line's: no second try.
-  });
-  return sink_status.ok() ? status : sink_status;
+  return impl_->caller.Receive(&ScanService::Stub::DownloadScan, std::move(request), offset, sink);
 }
 
 }  // namespace fitroom::remote

@@ -210,14 +210,14 @@ std::string UploadName(const ScanUpload& upload) {
   return "bodies/" + upload.statement.name.body + "/uploads/" + upload.id;
 }
 
-Result<std::string> UploadIdFromName(std::string_view name) {
+Result<UploadRef> UploadRefFromName(std::string_view name) {
   constexpr std::string_view kBodies = "bodies/";
   constexpr std::string_view kUploads = "/uploads/";
   const size_t middle = name.find(kUploads);
   if (name.starts_with(kBodies) && middle != std::string_view::npos) {
     const std::string_view body = name.substr(kBodies.size(), middle - kBodies.size());
     const std::string_view id = name.substr(middle + kUploads.size());
-    if (IsResourceId(body) && IsResourceId(id)) return std::string(id);
+    if (IsResourceId(body) && IsResourceId(id)) return UploadRef{std::string(body), std::string(id)};
   }
   return InvalidArgument("UPLOAD_NAME_INVALID", "an upload's name is bodies/BODY/uploads/UPLOAD");
 }
@@ -231,8 +231,10 @@ void ToProto(const ScanUpload& upload, body::v1::ScanUpload& message) {
 
 Result<ScanUpload> UploadFromProto(const body::v1::ScanUpload& message) {
   ScanUpload upload;
-  FR_ASSIGN_OR_RETURN(upload.id, UploadIdFromName(message.name()));
+  FR_ASSIGN_OR_RETURN(UploadRef name, UploadRefFromName(message.name()));
   FR_ASSIGN_OR_RETURN(upload.statement.name, ParseScanName(message.scan()));
+  if (name.body != upload.statement.name.body) return FieldInvalid("name", "names another body than the scan");
+  upload.id = std::move(name.id);
   upload.statement.size = message.size_bytes();
   upload.committed_size = message.committed_size_bytes();
   if (upload.committed_size < 0 || upload.committed_size > upload.statement.size) {

@@ -18,9 +18,13 @@ void ToProto(const ScanUpload& upload, body::v1::ScanUpload& message);
 // Fills what the message holds: id, scan name, stated size and committed size.
 Result<ScanUpload> UploadFromProto(const body::v1::ScanUpload& message);
 
-// `bodies/{body}/uploads/{upload}` and back to the upload's id.
+// `bodies/{body}/uploads/{upload}` and back.
+struct UploadRef {
+  std::string body;
+  std::string id;
+};
 std::string UploadName(const ScanUpload& upload);
-Result<std::string> UploadIdFromName(std::string_view name);
+Result<UploadRef> UploadRefFromName(std::string_view name);
 
 body::v1::ScanContent ToProto(ScanContent content);
 Result<ScanContent> ContentFromProto(body::v1::ScanContent content);

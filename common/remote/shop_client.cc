@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <iterator>
 
-#include "common/remote/chunk.h"
 #include "common/remote/list_all.h"
 #include "common/remote/shop_convert.h"
 #include "common/rpc/client.h"
-#include "common/rpc/status_conversion.h"
+#include "common/transfer/service_caller.h"
 #include "fitroom/shop/v1/garment_service.grpc.pb.h"
 
 namespace fitroom::remote {
@@ -28,30 +27,11 @@ bool IsAsStated(const Garment& garment, const ShopStatement& stated) {
 }  // namespace
 
 struct ShopClient::Impl {
-  std::string server;
-  std::unique_ptr<GarmentService::Stub> stub;
-  rpc::RetryPolicy retries;
-
-  Status Error(const grpc::Status& status) const { return rpc::FromGrpcStatus(status, server); }
-
-  // Makes one unary call, repeated while that may help.
-  template <typename Request, typename Response>
-  Status Call(grpc::Status (GarmentService::Stub::*method)(grpc::ClientContext*, const Request&, Response*),
-              const Request& request, Response& response, std::chrono::milliseconds timeout) const {
-    return rpc::RetryTransient(retries, [&] {
-      const auto context = rpc::MakeClientContext(timeout);
-      return Error((stub.get()->*method)(context.get(), request, &response));
-    });
-  }
-
-  Status DownloadOnce(const std::string& name, int64_t& offset, const std::function<Status(std::string_view)>& sink,
-                      Status& sink_status) const;
+  transfer::ServiceCaller<GarmentService> caller;
 };
 
 ShopClient::ShopClient(const std::string& address, int attempt_count)
-    : impl_(new Impl{
-          "shop at " + address, GarmentService::NewStub(rpc::OpenChannel(address)), {.attempt_count = attempt_count}}) {
-}
+    : impl_(new Impl{{"shop at " + address, address, attempt_count}}) {}
 
 ShopClient::~ShopClient() = default;
 
@@ -59,7 +39,7 @@ Result<GarmentUpload> ShopClient::StartUpload(const GarmentUploadStatement& stat
   shop::v1::StartGarmentUploadRequest request;
   ToProto(statement, request);
   shop::v1::StartGarmentUploadResponse response;
-  FR_RETURN_IF_ERROR(impl_->Call(&GarmentService::Stub::StartGarmentUpload, request, response, rpc::kQuickCall));
+  FR_RETURN_IF_ERROR(impl_->caller.Call(&GarmentService::Stub::StartGarmentUpload, request, response, rpc::kQuickCall));
   return UploadFromProto(response.upload(), statement);
 }
 
@@ -67,38 +47,23 @@ Result<GarmentUpload> ShopClient::GetUpload(const GarmentUpload& upload) {
   shop::v1::GetGarmentUploadRequest request;
   request.set_name(UploadName(upload));
   shop::v1::GetGarmentUploadResponse response;
-  FR_RETURN_IF_ERROR(impl_->Call(&GarmentService::Stub::GetGarmentUpload, request, response, rpc::kQuickCall));
+  FR_RETURN_IF_ERROR(impl_->caller.Call(&GarmentService::Stub::GetGarmentUpload, request, response, rpc::kQuickCall));
   return UploadFromProto(response.upload(), upload.statement);
 }
 
 Result<int64_t> ShopClient::SendBytes(const GarmentUpload& upload, GarmentSide side, int64_t offset,
                                       std::string_view bytes) {
-  const auto context = rpc::MakeClientContext(rpc::kStreamCall);
-  rpc::ClientStallGuard guard(*context);
-  shop::v1::UploadPhotoResponse response;
-  const auto writer = impl_->stub->UploadPhoto(context.get(), &response);
-  shop::v1::UploadPhotoRequest request;
-  request.set_upload(UploadName(upload));
-  request.set_side(ToProto(side));
-  for (size_t sent = 0; sent < bytes.size();) {
-    const std::string_view piece = bytes.substr(sent, kMaxChunkSize);
-    FillChunk(offset + static_cast<int64_t>(sent), piece, *request.mutable_chunk());
-    if (!writer->Write(request)) break;
-    guard.Progress();
-    sent += piece.size();
-    request.clear_upload();
-    request.clear_side();
-  }
-  writer->WritesDone();
-  FR_RETURN_IF_ERROR(impl_->Error(writer->Finish()));
-  return response.committed_size_bytes();
+  shop::v1::UploadPhotoRequest first;
+  first.set_upload(UploadName(upload));
+  first.set_side(ToProto(side));
+  return impl_->caller.Send(&GarmentService::Stub::UploadPhoto, std::move(first), offset, bytes, /*progress=*/{});
 }
 
 Result<GarmentRecord> ShopClient::FinishUpload(const GarmentUpload& upload) {
   shop::v1::FinishGarmentUploadRequest request;
   request.set_name(UploadName(upload));
   shop::v1::FinishGarmentUploadResponse response;
-  FR_RETURN_IF_ERROR(impl_->Call(&GarmentService::Stub::FinishGarmentUpload, request, response, rpc::kLongCall));
+  FR_RETURN_IF_ERROR(impl_->caller.Call(&GarmentService::Stub::FinishGarmentUpload, request, response, rpc::kLongCall));
   return GarmentRecordFromProto(response.garment());
 }
 
@@ -106,7 +71,7 @@ Status ShopClient::CancelUpload(const GarmentUpload& upload) {
   shop::v1::CancelGarmentUploadRequest request;
   request.set_name(UploadName(upload));
   shop::v1::CancelGarmentUploadResponse response;
-  return impl_->Call(&GarmentService::Stub::CancelGarmentUpload, request, response, rpc::kQuickCall);
+  return impl_->caller.Call(&GarmentService::Stub::CancelGarmentUpload, request, response, rpc::kQuickCall);
 }
 
 Result<GarmentRecord> ShopClient::Publish(const GarmentUploadStatement& statement,
@@ -132,7 +97,7 @@ Result<GarmentRecord> ShopClient::Publish(const GarmentUploadStatement& statemen
   }
   for (size_t i = 0; i < photos.size(); ++i) {
     if (progress) progress("sending", static_cast<double>(i) / static_cast<double>(photos.size()));
-    FR_RETURN_IF_ERROR(rpc::RetryTransient(impl_->retries, [&]() -> Status {
+    FR_RETURN_IF_ERROR(rpc::RetryTransient(impl_->caller.retries(), [&]() -> Status {
       // Where the upload stands is the server's to say.
       FR_ASSIGN_OR_RETURN(const GarmentUpload now, GetUpload(*started));
       const int64_t offset = now.committed_sizes[i];
@@ -151,7 +116,7 @@ Result<GarmentRecord> ShopClient::GetGarment(std::string_view id) {
   shop::v1::GetGarmentRequest request;
   request.set_name(GarmentName(id));
   shop::v1::GetGarmentResponse response;
-  FR_RETURN_IF_ERROR(impl_->Call(&GarmentService::Stub::GetGarment, request, response, rpc::kQuickCall));
+  FR_RETURN_IF_ERROR(impl_->caller.Call(&GarmentService::Stub::GetGarment, request, response, rpc::kQuickCall));
   return GarmentRecordFromProto(response.garment());
 }
 
@@ -160,7 +125,7 @@ Result<GarmentPage> ShopClient::ListGarments(int page_size, const std::string& p
   request.set_page_size(page_size);
   request.set_page_token(page_token);
   shop::v1::ListGarmentsResponse response;
-  FR_RETURN_IF_ERROR(impl_->Call(&GarmentService::Stub::ListGarments, request, response, rpc::kQuickCall));
+  FR_RETURN_IF_ERROR(impl_->caller.Call(&GarmentService::Stub::ListGarments, request, response, rpc::kQuickCall));
   GarmentPage page;
   page.next_page_token = response.next_page_token();
   for (const shop::v1::Garment& message : response.garments()) {
@@ -177,39 +142,11 @@ Result<std::vector<GarmentRecord>> ShopClient::ListAllGarments() {
   });
 }
 
-// One stream; `offset` moves with what `sink` has taken, so that the next one can go on there.
-Status ShopClient::Impl::DownloadOnce(const std::string& name, int64_t& offset,
-                                      const std::function<Status(std::string_view)>& sink, Status& sink_status) const {
-  shop::v1::DownloadImageRequest request;
-  request.set_name(name);
-  request.set_offset_bytes(offset);
-  const auto context = rpc::MakeClientContext(rpc::kStreamCall);
-  rpc::ClientStallGuard guard(*context);
-  const auto reader = stub->DownloadImage(context.get(), request);
-  shop::v1::DownloadImageResponse response;
-  Status taken;
-  while (taken.ok() && reader->Read(&response)) {
-    guard.Progress();
-    taken = CheckChunk(response.chunk(), offset);
-    if (taken.ok()) {
-      taken = sink_status = sink(response.chunk().data());
-      offset += static_cast<int64_t>(response.chunk().data().size());
-    }
-  }
-  if (!taken.ok()) context->TryCancel();
-  const Status finished = Error(reader->Finish());
-  return taken.ok() ? finished : taken;
-}
-
 Status ShopClient::DownloadImage(std::string_view garment, std::string_view image, int64_t offset,
                                  const std::function<Status(std::string_view)>& sink) {
-  Status sink_status;
-  const std::string name = ToString(ImageName{std::string(garment), std::string(image)});
-  const Status status = rpc::RetryTransient(impl_->retries, [&]() -> Status {
-    const Status outcome = impl_->DownloadOnce(name, offset, sink, sink_status);
-    return sink_status.ok() ? outcome : Status();  // The sink's own error is not the line's: no second try.
-  });
-  return sink_status.ok() ? status : sink_status;
+  shop::v1::DownloadImageRequest request;
+  request.set_name(ToString(ImageName{std::string(garment), std::string(image)}));
+  return impl_->caller.Receive(&GarmentService::Stub::DownloadImage, std::move(request), offset, sink);
 }
 
 }  // namespace fitroom::remote

@@ -46,38 +46,26 @@ void PrintView(const GarmentView& view, std::ostream& out) {
   }
 }
 
-// One line a size, one column a measure that any size states.
+// One line a measure that any size states, one column a size.
 void PrintChart(const Garment& garment, std::ostream& out) {
-  struct Column {
-    std::string name;
-    bool is_body;
-  };
-  std::vector<Column> columns;
-  for (const std::string& name : MeasureNames(garment.kind)) columns.push_back({name, false});
-  for (const char* name : {"bust", "waist", "hip"}) columns.push_back({name, true});
-  const auto measure_of = [](const GarmentSize& size, const Column& column) {
-    return FindMeasure(column.is_body ? size.body : size.measures, column.name);
-  };
-  const std::vector<GarmentSize>& sizes = garment.chart.sizes;
-  std::erase_if(columns, [&](const Column& column) {
-    return std::none_of(sizes.begin(), sizes.end(),
-                        [&](const GarmentSize& size) { return measure_of(size, column) != nullptr; });
-  });
-  out << "  sizes, flat cm" << (columns.back().is_body ? "; for a body's girth in cm" : "") << "\n"
-      << Format("    %-16s", "");
-  const auto head_of = [](const Column& column) { return (column.is_body ? "body " : "") + column.name; };
-  for (const Column& column : columns) out << "  " << head_of(column);
-  out << "\n";
-  for (const GarmentSize& size : sizes) {
-    out << Format("  %s %-16s", size.name == garment.chart.photographed_size ? "*" : " ", Plain(size.name).c_str());
-    for (const Column& column : columns) {
-      const int width = static_cast<int>(head_of(column).size()) + 2;
-      const GarmentMeasure* measure = measure_of(size, column);
-      out << (measure == nullptr ? Format("%*s", width, "-") : Format("%*.1f", width, measure->value * 100));
+  const auto width_of = [](const GarmentSize& size) { return std::max(static_cast<int>(size.name.size()), 5) + 2; };
+  const auto print = [&](const std::string& name, bool is_body, const std::string& title) {
+    std::string line = Format("    %-18s", title.c_str());
+    bool is_stated = false;
+    for (const GarmentSize& size : garment.chart.sizes) {
+      const GarmentMeasure* measure = FindMeasure(is_body ? size.body : size.measures, name);
+      is_stated = is_stated || measure != nullptr;
+      line += measure == nullptr ? Format("%*s", width_of(size), "-")
+                                 : Format("%*.1f", width_of(size), measure->value * 100);
     }
-    out << "\n";
-  }
-  out << "  * is the size on the photographs\n";
+    if (is_stated) out << line << "\n";
+  };
+  out << Format("  %-20s", "sizes, flat, cm");
+  for (const GarmentSize& size : garment.chart.sizes) out << Format("%*s", width_of(size), Plain(size.name).c_str());
+  out << "\n";
+  for (const std::string& name : MeasureNames(garment.kind)) print(name, /*is_body=*/false, name);
+  for (const std::string name : {"bust", "waist", "hip"}) print(name, /*is_body=*/true, "for a " + name + " of");
+  out << Format("    %-18s%s\n", "photographed", Plain(garment.chart.photographed_size).c_str());
 }
 
 void PrintMeasure(const GarmentMeasure& measure, std::ostream& out) {
@@ -87,7 +75,7 @@ void PrintMeasure(const GarmentMeasure& measure, std::ostream& out) {
     return;
   }
   const bool is_measured = measure.provenance == Provenance::kMeasured;
-  out << Format("  %-16s %6.1f cm  %s\n", name.c_str(), measure.value * 100,
+  out << Format("  %-16s %6.1f cm%s%s\n", name.c_str(), measure.value * 100, is_measured ? "" : "  ",
                 is_measured ? "" : std::string(ProvenanceName(measure.provenance)).c_str());
 }
 
@@ -101,7 +89,7 @@ Json ChartToJson(const SizeChart& chart) {
   Json json = {{"photographed_size", chart.photographed_size}, {"sizes", Json::array()}};
   for (const GarmentSize& size : chart.sizes) {
     json["sizes"].push_back(
-        {{"size", size.name}, {"measures_cm", MeasuresToJson(size.measures)}, {"body_cm", MeasuresToJson(size.body)}});
+        {{"name", size.name}, {"measures_cm", MeasuresToJson(size.measures)}, {"body_cm", MeasuresToJson(size.body)}});
   }
   return json;
 }

@@ -4,11 +4,16 @@
 #include <utility>
 
 #include "common/garment/garment_json.h"
+#include "common/store/columns.h"
+#include "common/store/upload_rows.h"
 
 namespace fitroom::shop_catalog {
 
 using sqlite::Database;
 using sqlite::Statement;
+using store::Corrupt;
+using store::HashBytes;
+using store::HashFromRow;
 
 const char kGarmentSchema[] = R"sql(
 CREATE TABLE garments (
@@ -57,19 +62,6 @@ CREATE INDEX IF NOT EXISTS upload_photos_by_blob ON upload_photos (blob_id);
 )sql";
 
 namespace {
-
-std::span<const std::byte> HashBytes(const Hash256& hash) { return std::as_bytes(std::span(hash.bytes)); }
-
-Status Corrupt(const std::string& what) {
-  return DataLoss("DATABASE_CORRUPT", "database: " + what + "; restore it from a backup");
-}
-
-Result<Hash256> HashFromRow(const Statement& row, int column) {
-  const std::span<const std::byte> bytes = row.Bytes(column);
-  const std::optional<Hash256> hash = Hash256::FromBytes({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-  if (!hash) return Corrupt("a hash that is none");
-  return *hash;
-}
 
 Result<GarmentSide> SideFromRow(const Statement& row, int column) {
   const int64_t side = row.Integer(column);
@@ -133,7 +125,7 @@ Result<UploadRow> SelectUploadWhere(Database& database, const char* condition, s
                                        condition));
   FR_ASSIGN_OR_RETURN(const bool has_row, select.Bind(1, key).Step());
   if (!has_row) {
-    return NotFound("UPLOAD_NOT_FOUND", "no such upload: it is finished, cancelled or dropped; start it again");
+    return store::UploadNotFound();
   }
   UploadRow row;
   row.upload.id = select.Text(0);
@@ -227,16 +219,6 @@ Status InsertUpload(Database& database, const UploadRow& row) {
     FR_RETURN_IF_ERROR(photos.Bind(4, photo.size).Bind(5, HashBytes(photo.hash)).Bind(6, row.blobs[i]).Run());
   }
   return Status();
-}
-
-Status TouchUpload(Database& database, std::string_view id) {
-  FR_ASSIGN_OR_RETURN(Statement touch, database.Prepare("UPDATE uploads SET touch_time_unix_s = ?1 WHERE upload = ?2"));
-  return touch.Bind(1, int64_t{std::time(nullptr)}).Bind(2, id).Run();
-}
-
-Status DeleteUploadRows(Database& database, std::string_view id) {
-  FR_ASSIGN_OR_RETURN(Statement remove, database.Prepare("DELETE FROM uploads WHERE upload = ?1"));
-  return remove.Bind(1, id).Run();
 }
 
 Result<UploadRow> SelectUpload(Database& database, std::string_view id) {

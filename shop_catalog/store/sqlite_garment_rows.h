@@ -36,8 +36,6 @@ struct UploadRow {
   std::vector<int64_t> blobs;
 };
 Status InsertUpload(sqlite::Database& database, const UploadRow& row);
-Status TouchUpload(sqlite::Database& database, std::string_view id);
-Status DeleteUploadRows(sqlite::Database& database, std::string_view id);
 // Each NOT_FOUND [UPLOAD_NOT_FOUND].
 Result<UploadRow> SelectUpload(sqlite::Database& database, std::string_view id);
 Result<UploadRow> SelectUploadOfGarment(sqlite::Database& database, std::string_view garment);

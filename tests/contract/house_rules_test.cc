@@ -20,9 +20,9 @@ struct Rule {
   std::vector<std::string> forbidden;  // Regular expressions over the included path.
 };
 
-const std::string kGrpc = R"(^(grpc|grpcpp|google/protobuf)/|\.pb\.h$|^common/rpc/)";
+const std::string kGrpc = R"(^(grpc|grpcpp|google/protobuf)/|\.pb\.h$|^common/(rpc|transfer)/)";
 const std::string kOpenCv = R"(^opencv2/)";
-const std::string kSqlite = R"(^sqlite3\.h$|^common/sqlite/)";
+const std::string kSqlite = R"(^sqlite3\.h$|^common/(sqlite|store)/)";
 // Bodies, in every form that they have: the shop's side sees none of it.
 const std::string kBodies = R"(^common/(body|scan_record|scan_file)/|^common/remote/body|^fitroom/body/)";
 const std::string kPrograms = R"(^(body_center|shop_catalog|fit_client)/)";
@@ -37,7 +37,9 @@ const std::vector<Rule> kRules = {
     {"common/garment", {R"(^common/(?!base/|geometry/|image/|garment/))", kGrpc, kOpenCv, kSqlite, kBodies}},
     {"common/image", {R"(^common/(?!base/|image/))", kGrpc, kSqlite}},
     {"common/sqlite", {R"(^common/(?!base/|sqlite/))", kGrpc, kOpenCv}},
+    {"common/store", {R"(^common/(?!base/|codec/|sqlite/|store/))", kGrpc, kOpenCv, R"(^sqlite3\.h$)"}},
     {"common/rpc", {R"(^common/(?!base/|rpc/))", kOpenCv, R"(^sqlite3\.h$)"}},
+    {"common/transfer", {R"(^common/(?!base/|codec/|rpc/|transfer/))", R"(^fitroom/(?!common/))", kOpenCv, kSqlite}},
     {"common/remote", {kOpenCv, kSqlite}},
     {"common/scan_record", {kGrpc, kOpenCv, kSqlite}},
     {"common/garment_record", {kGrpc, kOpenCv, kSqlite, kBodies}},

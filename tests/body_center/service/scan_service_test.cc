@@ -21,9 +21,9 @@
 #include "body_center/service/body_server.h"
 #include "common/codec/crc32c.h"
 #include "common/remote/body_client.h"
-#include "common/remote/chunk.h"
 #include "common/rpc/client.h"
 #include "common/rpc/status_conversion.h"
+#include "common/transfer/chunk.h"
 #include "fitroom/body/v1/scan_service.grpc.pb.h"
 #include "tests/support/service/fake_scan.h"
 #include "tests/support/temporary_folder.h"
@@ -103,7 +103,7 @@ class ScanServiceTest : public ::testing::Test {
   static v1::UploadScanRequest Message(const std::string& upload, int64_t offset, std::string_view data) {
     v1::UploadScanRequest message;
     message.set_upload(upload);
-    remote::FillChunk(offset, data, *message.mutable_chunk());
+    transfer::FillChunk(offset, data, *message.mutable_chunk());
     return message;
   }
   static std::string NameOf(const ScanUpload& upload) {
@@ -177,6 +177,20 @@ TEST_F(ScanServiceTest, RefusesDamagedAndForeignChunks) {
   EXPECT_EQ(Send({}).reason(), "UPLOAD_NAME_INVALID");
   EXPECT_EQ(Send({Message(name, 0, "abc"), Message(name, 3, "def")}).reason(), "UPLOAD_NAME_INVALID");
   EXPECT_EQ(Send({Message("bodies/a/uploads/unknown", 0, "abc")}).reason(), "UPLOAD_NOT_FOUND");
+  EXPECT_EQ(client_->GetUpload(*upload)->committed_size, 0);
+}
+
+// An upload belongs to the body in its name: under another's it is not there, and cannot be dropped.
+TEST_F(ScanServiceTest, AnUploadIsNotFoundUnderAnotherBody) {
+  const std::string file = FakeScanFile(1, 5000);
+  const Result<ScanUpload> upload = client_->StartUpload(StatementOf("a", "b", file));
+  ASSERT_TRUE(upload.ok());
+  ScanUpload other = *upload;
+  other.statement.name.body = "c";
+  EXPECT_EQ(Send({Message(NameOf(other), 0, file)}).reason(), "UPLOAD_NOT_FOUND");
+  EXPECT_EQ(client_->GetUpload(other).status().reason(), "UPLOAD_NOT_FOUND");
+  EXPECT_EQ(client_->FinishUpload(other, Blake2b(file)).status().reason(), "UPLOAD_NOT_FOUND");
+  EXPECT_TRUE(client_->CancelUpload(other).ok()) << "what is not there counts as dropped";
   EXPECT_EQ(client_->GetUpload(*upload)->committed_size, 0);
 }
 

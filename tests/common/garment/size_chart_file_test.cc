@@ -54,9 +54,9 @@ TEST(SizeChartFile, ReadsWhatSpreadsheetsSave) {
 TEST(SizeChartFile, ReadsJson) {
   const std::string json = R"(
     {"photographed_size": "S",
-     "sizes": [{"size": "S", "measures_cm": {"chest_width": 46, "sleeve_length": 20.5}, "body_cm": {"bust": 84}},
-               {"size": "M", "measures_cm": {"chest_width": 49, "sleeve_length": 21}, "body_cm": {"bust": 90}},
-               {"size": "L", "measures_cm": {"chest_width": 52.5}, "body_cm": {"bust": 96}}]})";
+     "sizes": [{"name": "S", "measures_cm": {"chest_width": 46, "sleeve_length": 20.5}, "body_cm": {"bust": 84}},
+               {"name": "M", "measures_cm": {"chest_width": 49, "sleeve_length": 21}, "body_cm": {"bust": 90}},
+               {"name": "L", "measures_cm": {"chest_width": 52.5}, "body_cm": {"bust": 96}}]})";
   ExpectTheTable(SizeChartFromText(json, GarmentKind::kTShirt, "M"));
   EXPECT_EQ(SizeChartFromText(json, GarmentKind::kTShirt, "")->photographed_size, "S");
   const Status cut = SizeChartFromText(json.substr(0, json.find("20.5")), GarmentKind::kTShirt, "M").status();
@@ -117,7 +117,7 @@ TEST(SizeChartFile, EachFaultNamesItsPlace) {
       {"size,chest_width,body_bust\nS,46,35\nM,49,90\n", "CHART_BODY_GIRTH", "35.0 cm"},
       {"size,chest_width,body_bust\nS,46,90\nM,49,90\n", "CHART_BODY_GIRTH", "does not grow"},
       {"size,chest_width,body_bust\nXS,46,90\nM,49,\nL,52,90\n", "CHART_BODY_GIRTH", "from size XS to L"},
-      {"size,chest_width\nS,46\nL,52\n", "CHART_PHOTOGRAPHED_SIZE", "L, S"},
+      {"size,chest_width\nS,46\nL,52\n", "CHART_PHOTOGRAPHED_SIZE", "S, L"},
   };
   for (const Fault& fault : faults) {
     const Status status = SizeChartFromText(fault.text, GarmentKind::kTShirt, "M").status();
@@ -145,7 +145,7 @@ TEST(SizeChartFile, BoundsWhatItReads) {
 // Whatever bytes come, the reader ends with a chart that is valid or with a reason.
 TEST(SizeChartFile, DamagedFilesAreReadOrRefused) {
   std::mt19937 random(20240611);
-  const std::string json = R"({"photographed_size":"M","sizes":[{"size":"M","measures_cm":{"chest_width":49}}]})";
+  const std::string json = R"({"photographed_size":"M","sizes":[{"name":"M","measures_cm":{"chest_width":49}}]})";
   int read_count = 0;
   for (int round = 0; round < 20000; ++round) {
     std::string text = round % 2 == 0 ? std::string(kTable) : json;

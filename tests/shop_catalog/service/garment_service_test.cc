@@ -9,11 +9,11 @@
 #include <gtest/gtest.h>
 
 #include "common/garment/garment_json.h"
-#include "common/remote/chunk.h"
 #include "common/remote/shop_client.h"
 #include "common/remote/shop_convert.h"
 #include "common/rpc/client.h"
 #include "common/rpc/status_conversion.h"
+#include "common/transfer/chunk.h"
 #include "fitroom/shop/v1/garment_service.grpc.pb.h"
 #include "shop_catalog/service/shop_server.h"
 #include "tests/support/sample_garment.h"
@@ -320,7 +320,7 @@ TEST_F(GarmentServiceTest, RefusesDamagedChunks) {
   shop::v1::UploadPhotoRequest request;
   request.set_upload("uploads/" + upload->id);
   request.set_side(shop::v1::GARMENT_SIDE_FRONT);
-  remote::FillChunk(0, front, *request.mutable_chunk());
+  transfer::FillChunk(0, front, *request.mutable_chunk());
   request.mutable_chunk()->mutable_data()->back() ^= 1;
   writer->Write(request);
   writer->WritesDone();

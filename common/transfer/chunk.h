@@ -9,7 +9,7 @@ namespace fitroom::common::v1 {
 class Chunk;
 }
 
-namespace fitroom::remote {
+namespace fitroom::transfer {
 
 // The largest piece of a stream (unit: byte).
 inline constexpr size_t kMaxChunkSize = size_t{256} << 10;
@@ -21,4 +21,4 @@ void FillChunk(int64_t offset, std::string_view data, fitroom::common::v1::Chunk
 // [UPLOAD_OFFSET_CONFLICT] if it does not begin at `expected_offset`.
 Status CheckChunk(const fitroom::common::v1::Chunk& chunk, int64_t expected_offset);
 
-}  // namespace fitroom::remote
+}  // namespace fitroom::transfer

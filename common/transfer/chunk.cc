@@ -1,11 +1,11 @@
-#include "common/remote/chunk.h"
+#include "common/transfer/chunk.h"
 
 #include <string>
 
 #include "common/codec/crc32c.h"
 #include "fitroom/common/v1/chunk.pb.h"
 
-namespace fitroom::remote {
+namespace fitroom::transfer {
 
 void FillChunk(int64_t offset, std::string_view data, fitroom::common::v1::Chunk& chunk) {
   chunk.set_offset_bytes(offset);
@@ -30,4 +30,4 @@ Status CheckChunk(const fitroom::common::v1::Chunk& chunk, int64_t expected_offs
   return Status();
 }
 
-}  // namespace fitroom::remote
+}  // namespace fitroom::transfer
