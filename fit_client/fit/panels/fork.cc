@@ -88,9 +88,10 @@ Result<ForkProblem> StateProblem(const GarmentPattern& pattern, const Panels& ha
   problem.leg_width = 0.5 * (LegWidth(halves.front_left) + LegWidth(halves.front_right));
   problem.at_hem = pattern.kind == GarmentKind::kShorts;
   problem.rule = evidence.rule;
-  if (evidence.front_rise) problem.front_rise = {evidence.front_rise, Provenance::kStated};
-  if (evidence.back_rise) problem.back_rise = {evidence.back_rise, Provenance::kStated};
-  if (evidence.thigh_width) problem.thigh_girth = {2.0 * *evidence.thigh_width, Provenance::kStated};
+  const auto known = [](bool estimated) { return estimated ? Provenance::kRuled : Provenance::kStated; };
+  if (evidence.front_rise) problem.front_rise = {evidence.front_rise, known(evidence.rises_estimated)};
+  if (evidence.back_rise) problem.back_rise = {evidence.back_rise, known(evidence.rises_estimated)};
+  if (evidence.thigh_width) problem.thigh_girth = {2.0 * *evidence.thigh_width, known(evidence.thigh_estimated)};
   if (evidence.side_folded) {
     const double outseam = 0.5 * (panels::ChainLength(halves.front_left.outseam.points) +
                                   panels::ChainLength(halves.front_right.outseam.points));
@@ -227,14 +228,14 @@ void TakeMeasures(const ForkProblem& problem, const ForkSolution& solution, cons
   const double thigh_girth = LegWidth(halves.front_left) + back_leg + e.front + e.back;
   const double front = length(0), back = length(2);
   const Provenance thigh = solution.clamped ? Provenance::kRuled : or_ruled(problem.thigh_girth);
+  const bool rises_known = problem.front_rise.value && problem.back_rise.value;
   const bool by_rises = !problem.thigh_girth.value && !problem.rule;
   forked.measures = {
       {"hip_width", 0.5 * problem.hip_girth, Provenance::kMeasured},
       {"thigh_width", 0.5 * thigh_girth, thigh},
       {"front_rise", front, or_ruled(problem.front_rise)},
       {"back_rise", back, or_ruled(problem.back_rise)},
-      {"crotch_length", front + back,
-       problem.front_rise.value && problem.back_rise.value ? Provenance::kStated : or_ruled(problem.crotch_length)},
+      {"crotch_length", front + back, rises_known ? problem.front_rise.provenance : or_ruled(problem.crotch_length)},
       {"front_extension", e.front, Provenance::kRuled},
       {"back_extension", e.back, by_rises ? Provenance::kRuled : thigh}};
 }
@@ -253,6 +254,28 @@ Status CheckPieces(const ForkedPattern& forked) {
 }
 
 }  // namespace
+
+ForkEvidence EvidenceForSize(const ForkedPattern& photographed, const GarmentPattern& graded, ForkEvidence stated) {
+  const auto of = [&](const char* name) { return FindMeasure(photographed.measures, name)->value; };
+  const std::vector<GarmentMeasure> before = MeasurePattern(photographed.photographed), after = MeasurePattern(graded);
+  const auto growth = [&](const char* name) { return MeasureValue(after, name) / MeasureValue(before, name); };
+  const double hip_growth = growth("hip_width");
+  if (!stated.thigh_width) {
+    stated.thigh_width = hip_growth * of("thigh_width");
+    stated.thigh_estimated = true;
+  }
+  // A curve grows with its height in full and with its extension by about a half: from a quarter ellipse's length.
+  const auto scaled_rise = [&](const char* rise, const char* extension) {
+    const double deeper = MeasureValue(after, rise) - MeasureValue(before, rise);
+    return of(rise) + deeper + 0.5 * (hip_growth - 1.0) * of(extension);
+  };
+  if (!stated.front_rise || !stated.back_rise) {
+    if (!stated.front_rise) stated.front_rise = scaled_rise("front_rise", "front_extension");
+    if (!stated.back_rise) stated.back_rise = scaled_rise("back_rise", "back_extension");
+    stated.rises_estimated = true;
+  }
+  return stated;
+}
 
 Result<ForkedPattern> BuildFork(const GarmentPattern& pattern, const ForkEvidence& evidence) {
   if (!HasLegs(pattern.kind)) {

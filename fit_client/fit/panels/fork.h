@@ -31,6 +31,9 @@ struct ForkEvidence {
   std::optional<double> front_rise;
   std::optional<double> back_rise;
   std::optional<double> thigh_width;  // Flat: half the leg's girth at the crotch.
+  // The numbers above were scaled from another size: what is built of them counts as ruled, not as stated.
+  bool rises_estimated = false;
+  bool thigh_estimated = false;
   std::optional<GarmentView> side_folded;
   // What is neither stated nor seen is ruled by this; absent: it is not ruled. Then thigh_width or side_folded, or both
   // rises, must be there.
@@ -69,6 +72,11 @@ struct ForkedPattern {
 };
 
 inline constexpr int kForkPieceCount = 4;
+
+// Returns the evidence for another size of trousers whose photographed size was rebuilt: what is stated of that size,
+// and for the rest the photographed fork's, scaled: the thigh with the hip, the rises with the crotch's visible depth
+// and the extensions.
+ForkEvidence EvidenceForSize(const ForkedPattern& photographed, const GarmentPattern& graded, ForkEvidence stated);
 
 // Rebuilds the fork. Extensions: with a known thigh T, front = hip/16 + 0.5 cm (or the rule's) and back = T - widths -
 // front; with known rises, the back's is solved to its rise; else by the rule. Each centre seam runs straight down and

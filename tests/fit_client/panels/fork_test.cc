@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "fit_client/fit/panels/fork_mesh.h"
+#include "fit_client/fit/panels/grade.h"
 #include "fit_client/fit/panels/reconcile.h"
 #include "fit_client/fit/panels/topology.h"
 #include "tests/fit_client/panels/drafted_trousers.h"
@@ -334,6 +335,34 @@ TEST_F(DraftedFork, ContradictionsAreRefusedOrFlagged) {
   EXPECT_EQ(reason(seen), "POINT_MISSING");
   const GarmentPattern skirt = Reconciled(testing::DrawKind(GarmentKind::kSkirt));
   EXPECT_EQ(BuildFork(skirt, ruled_).status().reason(), "KIND_WITHOUT_FORK");
+}
+
+// The photographed size is known from the side; the others follow it, and say that they were not measured.
+TEST_F(DraftedFork, OtherSizesFollowThePhotographedOne) {
+  const ForkedPattern medium = Built(pattern_, Gather(Evidence::kSideFolded, kCases[0], truth_, garment_));
+  const auto size = [](const char* name, double hip, double length) {
+    return GarmentSize{name, {{"hip_width", hip, Provenance::kStated}, {"length", length, Provenance::kStated}}, {}};
+  };
+  double last_thigh = 0.0, last_crotch = 0.0;
+  for (const double step : {-1.0, 0.0, 1.0, 2.0}) {
+    const Result<GarmentPattern> graded =
+        GradePattern(pattern_, size("M", 0.5, 1.0), size("other", 0.5 + 0.02 * step, 1.0 + 0.01 * step));
+    ASSERT_TRUE(graded.ok()) << graded.status().ToString();
+    const ForkedPattern other = Built(*graded, EvidenceForSize(medium, *graded, {}));
+    const double thigh = FindMeasure(other.measures, "thigh_width")->value;
+    const double crotch = FindMeasure(other.measures, "crotch_length")->value;
+    EXPECT_GT(thigh, last_thigh + 0.005);
+    EXPECT_GT(crotch, last_crotch + 0.005);
+    EXPECT_EQ(ProvenanceOf(other, "thigh_width"), Provenance::kRuled);
+    EXPECT_EQ(ProvenanceOf(other, "crotch_length"), Provenance::kRuled);
+    if (step == 0.0) {
+      EXPECT_NEAR(thigh, FindMeasure(medium.measures, "thigh_width")->value, 1e-6);
+      EXPECT_NEAR(crotch, FindMeasure(medium.measures, "crotch_length")->value, 1e-6);
+    }
+    EXPECT_TRUE(MeshFork(other, 0.02).ok());
+    last_thigh = thigh;
+    last_crotch = crotch;
+  }
 }
 
 // Shorts are not photographed down to the knee: the fork's breadth reaches their hem.
