@@ -2,10 +2,12 @@
 
 #include <utility>
 
+#include "fit_client/fit/panels/fork_mesh.h"
 #include "fit_client/fit/panels/grade.h"
 #include "fit_client/fit/panels/measure.h"
 #include "fit_client/fit/panels/mesh_pattern.h"
 #include "fit_client/fit/panels/reconcile.h"
+#include "fit_client/fitting/cut_fork.h"
 
 namespace fitroom {
 namespace {
@@ -50,6 +52,14 @@ std::vector<GarmentMeasure> MeasuresOf(const Garment& garment, const GarmentPatt
   return measures;
 }
 
+// A fork that was rebuilt says what folding hid, and how it is known.
+void TakeForkMeasures(const ForkedPattern& forked, std::vector<GarmentMeasure>& measures) {
+  for (GarmentMeasure& measure : measures) {
+    const GarmentMeasure* rebuilt = FindMeasure(forked.measures, measure.name);
+    if (rebuilt != nullptr && measure.provenance != Provenance::kMeasured) measure = *rebuilt;
+  }
+}
+
 }  // namespace
 
 double MeanEdgeLength(const ClothMesh& cloth) {
@@ -67,11 +77,15 @@ double MeanEdgeLength(const ClothMesh& cloth) {
 Result<CutGarment> CutGarmentToSize(const Garment& garment, const CutOptions& options) {
   CutGarment cut;
   cut.kind = garment.kind;
-  FR_ASSIGN_OR_RETURN(GarmentPattern pattern, ReconcileViews(garment));
+  FR_ASSIGN_OR_RETURN(const GarmentPattern photographed, ReconcileViews(garment));
+  GarmentPattern pattern = photographed;
   FR_ASSIGN_OR_RETURN(cut.size, GradeToSize(garment, options.size, pattern));
-  FR_ASSIGN_OR_RETURN(cut.cloth, MeshPattern(pattern, options.pitch));
+  FR_ASSIGN_OR_RETURN(const std::optional<ForkedPattern> forked,
+                      CutFork(garment, photographed, pattern, cut.size, options.fork_rule, cut.notes));
+  FR_ASSIGN_OR_RETURN(cut.cloth, forked ? MeshFork(*forked, options.pitch) : MeshPattern(pattern, options.pitch));
   cut.topology = ComputeWeldedTopology(cut.cloth);
   cut.measures = MeasuresOf(garment, pattern, cut.size);
+  if (forked) TakeForkMeasures(*forked, cut.measures);
   if (pattern.asymmetric_by_design) {
     cut.notes.push_back("the garment is asymmetric by design; left and right are kept");
   }

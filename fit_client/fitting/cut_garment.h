@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "common/base/status.h"
 #include "common/garment/garment.h"
 #include "fit_client/fit/cloth_mesh.h"
+#include "fit_client/fit/panels/fork.h"
 #include "fit_client/fit/panels/topology.h"
 
 namespace fitroom {
@@ -13,6 +15,8 @@ namespace fitroom {
 struct CutOptions {
   double pitch = 0.01;  // Edge length of the cloth mesh (unit: metre).
   std::string size;     // Of the garment's chart; empty: as photographed.
+  // For trousers whose fork is neither stated nor photographed: an estimate. Empty: they are cut without one.
+  std::optional<ForkRule> fork_rule;
 };
 
 // A garment in one size, cut into panels and meshed: what dressing needs to know of it, the same for every body.
@@ -25,9 +29,10 @@ struct CutGarment {
   std::vector<std::string> notes;        // What a shopper may want to know of how it was cut.
 };
 
-// Reconciles the photographs into one pattern, grades it to the size and meshes it. NOT_FOUND (SIZE_UNKNOWN) for a size
+// Reconciles the photographs into one pattern, grades it to the size, rebuilds the fork of trousers where something
+// decides it (CutFork()), and meshes it. NOT_FOUND (SIZE_UNKNOWN) for a size
 // that the chart does not have, FAILED_PRECONDITION (CHART_MISSING) for any size of a garment without a chart; else
-// fails like ReconcileViews(), GradePattern() and MeshPattern().
+// fails like ReconcileViews(), GradePattern(), BuildFork() and MeshPattern().
 Result<CutGarment> CutGarmentToSize(const Garment& garment, const CutOptions& options);
 
 // Returns the mean length of the triangles' sides at rest (unit: metre).

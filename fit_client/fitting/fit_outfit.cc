@@ -26,7 +26,7 @@ Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers
     FittedGarment worn;
     worn.input = layer.garment;
     const Garment& garment = layer.garment->garment;
-    Result<CutGarment> cut = CutGarmentToSize(garment, {options.pitch, layer.size});
+    Result<CutGarment> cut = CutGarmentToSize(garment, {options.pitch, layer.size, {}});
     if (!cut.ok()) return cut.status().At(garment.id);
     worn.cut = std::move(cut).value();
     DescribeInputs(body, garment, worn.cut, worn.report);
