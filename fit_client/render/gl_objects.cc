@@ -157,20 +157,21 @@ void GlTarget::Release() {
   frame_ = colour_ = depth_ = 0;
 }
 
-Status GlTarget::Begin(int width, int height) {
-  if (width != width_ || height != height_ || frame_ == 0) {
+Status GlTarget::Begin(int width, int height, int samples_across) {
+  if (width != width_ || height != height_ || samples_across != samples_across_ || frame_ == 0) {
     Release();
     width_ = width;
     height_ = height;
+    samples_across_ = samples_across;
     glGenFramebuffers(1, &frame_);
     glGenRenderbuffers(1, &colour_);
     glGenRenderbuffers(1, &depth_);
     glBindFramebuffer(GL_FRAMEBUFFER, frame_);
     glBindRenderbuffer(GL_RENDERBUFFER, colour_);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, kSamplesAcross * width, kSamplesAcross * height);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, samples_across * width, samples_across * height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_);
     glBindRenderbuffer(GL_RENDERBUFFER, depth_);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, kSamplesAcross * width, kSamplesAcross * height);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, samples_across * width, samples_across * height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
     FR_RETURN_IF_ERROR(CheckGl("making the picture's buffers"));
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
@@ -178,31 +179,35 @@ Status GlTarget::Begin(int width, int height) {
     }
   }
   glBindFramebuffer(GL_FRAMEBUFFER, frame_);
-  glViewport(0, 0, kSamplesAcross * width, kSamplesAcross * height);
+  glViewport(0, 0, samples_across * width, samples_across * height);
   return CheckGl("beginning a picture");
 }
 
 Image GlTarget::Read() const {
-  static_assert(kSamplesAcross == 2, "the mean below is of four samples");
   const size_t width = static_cast<size_t>(width_);
-  const size_t height = static_cast<size_t>(height_);
-  const size_t row_size = width * 2 * 4;
+  const size_t across = static_cast<size_t>(samples_across_);
+  const size_t row_size = width * across * 4;
+  const int sample_count = samples_across_ * samples_across_;
   // In strips, for the sake of memory: a whole picture's samples take 16 bytes a pixel.
   constexpr int kStrip = 32;  // (unit: pixel of the picture)
-  std::vector<uint8_t> samples(row_size * 2 * kStrip);
+  std::vector<uint8_t> samples(row_size * across * kStrip);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  Image image{width_, height_, 3, std::vector<uint8_t>(width * height * 3)};
+  Image image = MakeImage(width_, height_, 3);
   for (int first = 0; first < height_; first += kStrip) {
     const int count = std::min(kStrip, height_ - first);
-    glReadPixels(0, 2 * first, 2 * width_, 2 * count, GL_RGBA, GL_UNSIGNED_BYTE, samples.data());
+    glReadPixels(0, samples_across_ * first, samples_across_ * width_, samples_across_ * count, GL_RGBA,
+                 GL_UNSIGNED_BYTE, samples.data());
     for (int row = 0; row < count; ++row) {
-      const uint8_t* low = samples.data() + static_cast<size_t>(2 * row) * row_size;
-      const uint8_t* high = low + row_size;
+      const uint8_t* from = samples.data() + static_cast<size_t>(row) * across * row_size;
       // OpenGL's first row is the lowest.
       uint8_t* to = image.at(0, height_ - 1 - first - row);
-      for (size_t x = 0; x < width; ++x, low += 8, high += 8, to += 3) {
+      for (size_t x = 0; x < width; ++x, from += across * 4, to += 3) {
         for (size_t c = 0; c < 3; ++c) {
-          to[c] = static_cast<uint8_t>((low[c] + low[c + 4] + high[c] + high[c + 4] + 2) / 4);
+          int sum = sample_count / 2;
+          for (size_t sample_row = 0; sample_row < across; ++sample_row) {
+            for (size_t sample = 0; sample < across; ++sample) sum += from[sample_row * row_size + sample * 4 + c];
+          }
+          to[c] = static_cast<uint8_t>(sum / sample_count);
         }
       }
     }

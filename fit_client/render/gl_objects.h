@@ -94,8 +94,8 @@ class GlTexture {
   GLuint texture_ = 0;
 };
 
-// Where pictures are drawn: at twice the width and height, averaged when read. (The renderer's own multisampling was
-// tried: its outlines stay jagged, and its shaders take longer to compile.)
+// Where pictures are drawn: at a multiple of the width and height, averaged when read. (The renderer's own
+// multisampling was tried: its outlines stay jagged, and its shaders take longer to compile.)
 class GlTarget {
  public:
   GlTarget() = default;
@@ -103,11 +103,9 @@ class GlTarget {
   GlTarget& operator=(const GlTarget&) = delete;
   ~GlTarget() { Release(); }
 
-  static constexpr int kSamplesAcross = 2;  // A pixel, each way.
-
-  // Makes the target this large (unit: pixel of the picture) and the current one. RESOURCE_EXHAUSTED where the renderer
-  // refuses.
-  Status Begin(int width, int height);
+  // Makes the target this large (unit: pixel of the picture), with so many samples a pixel each way, and the current
+  // one. RESOURCE_EXHAUSTED where the renderer refuses.
+  Status Begin(int width, int height, int samples_across);
   // Returns what was drawn.
   Image Read() const;
 
@@ -115,6 +113,7 @@ class GlTarget {
   void Release();
   int width_ = 0;
   int height_ = 0;
+  int samples_across_ = 0;
   GLuint frame_ = 0, colour_ = 0, depth_ = 0;
 };
 

@@ -67,27 +67,14 @@ Status CheckRequest(const FitPictureRequest& request) {
   return Status();
 }
 
-// Returns lines between the partners of open seam pairs, about every 2 cm of seam: more would merge into a band.
-std::vector<LineSegment> MakeStitchLines(const ClothMesh& cloth, const std::vector<Eigen::Vector3d>& positions) {
-  constexpr double kSpacing = 0.02;  // (unit: metre)
-  std::vector<LineSegment> lines;
-  for (const SeamPair& pair : cloth.seams) {
-    const Eigen::Vector3d& from = positions[static_cast<size_t>(pair.a)];
-    const Eigen::Vector3d& to = positions[static_cast<size_t>(pair.b)];
-    if ((from - to).norm() <= kWeldedGap) continue;
-    if (!lines.empty() && (from - lines.back().from).norm() < kSpacing) continue;
-    lines.push_back({from, to, Colour(0.86F, 0.13F, 0.16F)});
-  }
-  return lines;
-}
-
 Scene MakeScene(const FitPictureRequest& request, const StageShape& stage) {
   Scene scene;
   scene.body = request.body;
+  scene.garments = request.others;
   scene.garments.push_back({request.cloth, stage.positions, request.front_texture, request.back_texture});
   if (stage.draw_stitch_lines) {
     scene.lines = MakeStitchLines(*request.cloth, stage.positions);
-    scene.garments.front().opacity = kMergingOpacity;
+    scene.garments.back().opacity = kMergingOpacity;
   }
   return scene;
 }
@@ -95,6 +82,9 @@ Scene MakeScene(const FitPictureRequest& request, const StageShape& stage) {
 // Everything that any stage shows, so that all pictures have one scale.
 Eigen::AlignedBox3d ComputeSubject(const FitPictureRequest& request) {
   Eigen::AlignedBox3d subject = ComputeBounds(request.body->mesh);
+  for (const GarmentShape& other : request.others) {
+    for (const Eigen::Vector3d& position : other.positions) subject.extend(position);
+  }
   for (const StageShape& stage : request.stages) {
     for (const Eigen::Vector3d& position : stage.positions) subject.extend(position);
   }
@@ -154,6 +144,19 @@ void CopyInto(const Image& from, Image& to, int x, int y) {
 }
 
 }  // namespace
+
+std::vector<LineSegment> MakeStitchLines(const ClothMesh& cloth, const std::vector<Eigen::Vector3d>& positions) {
+  constexpr double kSpacing = 0.02;  // (unit: metre)
+  std::vector<LineSegment> lines;
+  for (const SeamPair& pair : cloth.seams) {
+    const Eigen::Vector3d& from = positions[static_cast<size_t>(pair.a)];
+    const Eigen::Vector3d& to = positions[static_cast<size_t>(pair.b)];
+    if ((from - to).norm() <= kWeldedGap) continue;
+    if (!lines.empty() && (from - lines.back().from).norm() < kSpacing) continue;
+    lines.push_back({from, to, Colour(0.86F, 0.13F, 0.16F)});
+  }
+  return lines;
+}
 
 Image ComposeSheet(const std::vector<std::vector<Image>>& rows, const std::vector<std::string>& row_labels,
                    const std::vector<std::string>& column_labels) {

@@ -23,6 +23,7 @@ struct FitPictureRequest {
   const ClothMesh* cloth = nullptr;
   const Image* front_texture = nullptr;  // Null: plain cloth.
   const Image* back_texture = nullptr;   // Null: the front's.
+  std::vector<GarmentShape> others;      // Worn already: drawn as they are in every stage.
   std::vector<StageShape> stages;        // In the order of the process; the last one is what is shown to the shopper.
   int thread_count = 1;                  // Pictures are drawn on at most two threads; the bytes do not depend on it.
 };
@@ -39,6 +40,9 @@ struct NamedPicture {
 // stage_<name>_<view>.png (400 x 600) of each stage from front, side and back, and stages.png, a labelled sheet of
 // these. Fails like Renderer::Draw().
 Result<std::vector<NamedPicture>> DrawFitPictures(const FitPictureRequest& request);
+
+// Returns lines between the partners of open seam pairs, about every 2 cm of seam: more would merge into a band.
+std::vector<LineSegment> MakeStitchLines(const ClothMesh& cloth, const std::vector<Eigen::Vector3d>& positions);
 
 // Composes RGB pictures of one size in a sheet with labels above the columns and in the corner of each row.
 Image ComposeSheet(const std::vector<std::vector<Image>>& rows, const std::vector<std::string>& row_labels,

@@ -17,14 +17,14 @@ namespace {
 
 constexpr int kMaxPictureSide = 4096;  // (unit: pixel)
 constexpr double kLineWidth = 1.6;     // (unit: pixel)
-// The body is drawn this much deeper than it is: it is a simplified surface, and cloth lies 1 to 3 mm above the true
-// one. What is inside what is measured elsewhere, never on a picture. (unit: metre)
-constexpr float kBodyDepthBias = 3e-3F;
 
 Status CheckCameras(std::span<const Camera> cameras) {
   for (const Camera& camera : cameras) {
     if (camera.width <= 0 || camera.height <= 0 || camera.width > kMaxPictureSide || camera.height > kMaxPictureSide) {
       return InvalidArgument("BAD_PICTURE_SIZE", "a picture has 1 to 4096 pixels a side");
+    }
+    if (camera.samples_across < 1 || camera.samples_across > 2) {
+      return InvalidArgument("BAD_PICTURE_SIZE", "a pixel is the mean of 1 or 2 samples each way");
     }
     if (camera.subject.isEmpty() || !camera.subject.sizes().allFinite() || camera.subject.sizes().maxCoeff() > 4.0 ||
         camera.subject.sizes().maxCoeff() <= 0.0) {
@@ -88,7 +88,7 @@ struct Renderer::Impl {
   const GlTexture* TextureOf(const Image* image);
   SceneDrawing Upload(const Scene& scene);
   void DrawGround(const SceneDrawing& drawing, const Projection& projection);
-  void DrawBody(const SceneDrawing& drawing, const Projection& projection);
+  void DrawBody(const SceneDrawing& drawing, const Projection& projection, double depth_bias);
   void DrawGarment(const GarmentDrawing& garment, const Projection& projection);
   void DrawLines(const Scene& scene, const Camera& camera);
 };
@@ -159,12 +159,12 @@ void Renderer::Impl::DrawGround(const SceneDrawing& drawing, const Projection& p
   glDisable(GL_BLEND);
 }
 
-void Renderer::Impl::DrawBody(const SceneDrawing& drawing, const Projection& projection) {
+void Renderer::Impl::DrawBody(const SceneDrawing& drawing, const Projection& projection, double depth_bias) {
   if (drawing.body.empty()) return;
   body.Use();
   SetMatrix(body, "eye_from_world", projection.eye_from_world);
   SetMatrix(body, "clip_from_eye", projection.clip_from_eye);
-  glUniform1f(body.Uniform("depth_bias"), kBodyDepthBias);
+  glUniform1f(body.Uniform("depth_bias"), static_cast<float>(depth_bias));
   drawing.body.front().Draw();
 }
 
@@ -229,7 +229,7 @@ Result<std::vector<Image>> Renderer::Draw(const Scene& scene, std::span<const Ca
   FR_RETURN_IF_ERROR(CheckGl("handing the scene to the renderer"));
   std::vector<Image> pictures;
   for (const Camera& camera : cameras) {
-    FR_RETURN_IF_ERROR(impl_->target.Begin(camera.width, camera.height));
+    FR_RETURN_IF_ERROR(impl_->target.Begin(camera.width, camera.height, camera.samples_across));
     const Projection projection = ComputeProjection(camera);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
@@ -241,7 +241,7 @@ Result<std::vector<Image>> Renderer::Draw(const Scene& scene, std::span<const Ca
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glEnable(GL_DEPTH_TEST);
     impl_->DrawGround(drawing, projection);
-    impl_->DrawBody(drawing, projection);
+    impl_->DrawBody(drawing, projection, scene.body_depth_bias);
     for (const GarmentDrawing& garment : drawing.garments) impl_->DrawGarment(garment, projection);
     impl_->DrawLines(scene, camera);
     pictures.push_back(impl_->target.Read());

@@ -51,6 +51,9 @@ struct LineSegment {
 // What is drawn. Views of what the caller owns.
 struct Scene {
   const DisplayBody* body = nullptr;  // Null: no body.
+  // The body is drawn this much deeper than it is: it is a simplified surface, and cloth lies 1 to 3 mm above the true
+  // one. What is inside what is measured elsewhere, never on a picture (unit: metre).
+  double body_depth_bias = 3e-3;
   std::vector<GarmentShape> garments;
   std::vector<LineSegment> lines;
 };
@@ -72,6 +75,7 @@ struct Camera {
   Eigen::AlignedBox3d subject;  // What has to be in the picture (canonical frame, unit: metre).
   int width = 800;              // (unit: pixel)
   int height = 1200;            // (unit: pixel)
+  int samples_across = 2;       // A pixel is the mean of so many samples each way: 2, or 1 where speed counts.
 };
 
 }  // namespace fitroom::render

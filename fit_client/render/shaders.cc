@@ -137,9 +137,18 @@ void main() {
     float light = 0.42 * Sky(n) * mix(0.35, 1.0, skies.x) + 0.60 * Wrapped(n, kKey, 0.25) * shade +
                   0.24 * Wrapped(n, kFill, 0.35) * shade + 0.05;
     float rim = 0.10 * max(0.0, dot(n, kRim)) * shade;
-    lit = albedo * Soften(light) + rim * (0.25 + 0.75 * albedo);
+    // Dark cloth swallows diffuse light, and with it every fold: what shows them there is the light that glances off
+    // its fibres. The lighter the cloth, the less of it.
+    float darkness = 1.0 - min(1.0, 3.0 * dot(albedo, vec3(0.299, 0.587, 0.114)));
+    float facing = clamp(n.z, 0.0, 1.0);
+    float sheen = 0.060 * pow(max(0.0, dot(n, normalize(kKey + vec3(0.0, 0.0, 1.0)))), 26.0) +
+                  0.040 * pow(max(0.0, dot(n, normalize(kFill + vec3(0.0, 0.0, 1.0)))), 26.0) +
+                  0.045 * pow(1.0 - facing, 2.5);
+    lit = albedo * Soften(light) + rim * (0.25 + 0.75 * albedo) + darkness * sheen * shade * vec3(0.95, 0.97, 1.0);
   } else {
     // The inside is lit by what comes through the cloth and back from skin and cloth, from everywhere.
+    // Never black: a dark inside would look like a hole.
+    albedo = 0.022 + 0.978 * albedo;
     lit = albedo * (0.40 + 0.25 * max(0.0, n.z)) * mix(0.7, 1.0, skies.y);
   }
   colour = vec4(sqrt(lit), opacity);

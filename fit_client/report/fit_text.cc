@@ -11,7 +11,12 @@ namespace {
 
 // The words of a verdict, as a shopper reads them first.
 std::string Words(const SizeVerdict& verdict) {
-  return std::string(FitVerdictWords(verdict.verdict)) + (verdict.reason.empty() ? "" : ": " + verdict.reason) +
+  const std::string words(FitVerdictWords(verdict.verdict));
+  // "tight at the hip: …" says it already.
+  const std::string sentence = verdict.reason.empty()              ? words
+                               : verdict.reason.starts_with(words) ? verdict.reason
+                                                                   : words + ": " + verdict.reason;
+  return sentence +
          (verdict.is_close ? Format(" (a close call: measures are known to %.0f mm)", verdict.uncertainty * 1e3) : "");
 }
 
@@ -73,7 +78,7 @@ void WriteZonesText(const FitReport& report, Page& page) {
   if (!report.zones.empty()) {
     page.Heading("Zone by zone" + (report.fabric.empty() ? std::string() : ", " + Printable(report.fabric)));
     page.Line(
-        Format("  %-12s%8s%9s%9s%8s  %-24s%s", "", "body", "flat", "worn", "ease", "strain mean/95 %", "pressure"));
+        Format("  %-12s%8s%9s%9s%9s  %-23s%s", "", "body", "flat", "worn", "ease", "strain mean/95 %", "pressure"));
     for (const ZoneFit& zone : report.zones) {
       const std::string name(FitZoneWords(zone.zone));
       if (!zone.measured) {
@@ -83,9 +88,9 @@ void WriteZonesText(const FitReport& report, Page& page) {
       std::string line =
           Format("  %-12s%5.1f cm%6.1f cm", name.c_str(), zone.body_girth * 1e2, zone.garment_girth * 1e2);
       line += zone.worn_girth > 0.0 ? Format("%6.1f cm", zone.worn_girth * 1e2) : Format("%9s", "-");
-      line += Format("%+5.1f cm", zone.ease() * 1e2);
+      line += Format("%+6.1f cm", zone.ease() * 1e2);
       if (zone.has_strain) {
-        line += Format("  %-24s", Format("%.1f / %.1f %% %s", zone.strain_mean * 1e2, zone.strain_p95 * 1e2,
+        line += Format("  %-23s", Format("%.1f / %.1f %% %s", zone.strain_mean * 1e2, zone.strain_p95 * 1e2,
                                          DirectionWords(zone.strain_angle))
                                       .c_str());
         line += zone.contact_share > 0.02 ? PressureWords(zone.laplace_pressure) : std::string("hangs free");

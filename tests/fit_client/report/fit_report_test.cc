@@ -141,6 +141,97 @@ TEST(FitReportText, FitsATerminalAndCannotSteerIt) {
   EXPECT_EQ(text.back(), '\n');
 }
 
+ZoneFit MakeZone() {
+  ZoneFit zone;
+  zone.zone = FitZone::kHip;
+  zone.measured = true;
+  zone.height = 0.80;
+  zone.body_girth = 0.96;
+  zone.garment_girth = 0.991;
+  zone.worn_girth = 0.993;
+  zone.has_strain = true;
+  zone.strain_mean = 0.011;
+  zone.strain_p95 = 0.034;
+  zone.strain_angle = 0.1;
+  zone.contact_share = 0.5;
+  zone.laplace_pressure = 930.0;
+  zone.contact_pressure = 910.0;
+  return zone;
+}
+
+FitReport MakeJudgedReport() {
+  FitReport report = MakeReport();
+  report.fabric = "woven";
+  ZoneFit thigh;
+  thigh.zone = FitZone::kThigh;
+  thigh.provenance = Provenance::kUnknown;
+  thigh.note = "the garment's thigh is not known";
+  report.zones = {MakeZone(), thigh};
+  SizeVerdict verdict;
+  verdict.size = "M";
+  verdict.verdict = FitVerdict::kTight;
+  verdict.has_deciding_zone = true;
+  verdict.deciding_zone = FitZone::kHip;
+  verdict.reason = "tight at the hip: 2 cm less than the 5 cm a woven needs";
+  verdict.is_close = true;
+  verdict.has_primary = true;
+  verdict.primary_offset = 0.02;
+  SizeVerdict larger = verdict;
+  larger.size = "L";
+  larger.verdict = FitVerdict::kGood;
+  larger.reason = "6 cm of room at the hip";
+  larger.is_close = false;
+  report.verdict = verdict;
+  report.sizes = {verdict, larger};
+  report.recommendation = SizeRecommendation{true, "L", "M", "between M and L"};
+  report.measures = {
+      {"hip_width", 0.4955}, {"thigh_width", 0.0, Provenance::kUnknown}, {"back_rise", 0.36, Provenance::kRuled}};
+  report.layers = {{"jeans", "pants", "M", "AT_REST", "good", 0.004, 0},
+                   {"tee", "tshirt", "S", "AT_REST", "", 0.012, 3}};
+  return report;
+}
+
+TEST(FitReportJson, SaysHowItFitsZoneByZoneAndSizeBySize) {
+  const nlohmann::json json = nlohmann::json::parse(WriteJson(MakeJudgedReport()));
+  EXPECT_EQ(json["zones"][0]["zone"], "hip");
+  EXPECT_NEAR(json["zones"][0]["ease_cm"].get<double>(), 3.1, 1e-9);
+  EXPECT_NEAR(json["zones"][0]["worn_ease_cm"].get<double>(), 3.3, 1e-9);
+  EXPECT_NEAR(json["zones"][0]["strain"]["p95_percent"].get<double>(), 3.4, 1e-9);
+  EXPECT_NEAR(json["zones"][0]["pressure"]["laplace_kpa"].get<double>(), 0.93, 1e-9);
+  EXPECT_EQ(json["zones"][0]["pressure"]["band"], "comfortable");
+  EXPECT_EQ(json["zones"][1]["provenance"], "unknown");
+  EXPECT_FALSE(json["zones"][1].contains("ease_cm"));
+  EXPECT_EQ(json["verdict"]["verdict"], "tight");
+  EXPECT_EQ(json["verdict"]["deciding_zone"], "hip");
+  EXPECT_NEAR(json["verdict"]["uncertainty_mm"].get<double>(), 14.35, 0.01);
+  EXPECT_EQ(json["sizes"].size(), 2U);
+  EXPECT_EQ(json["recommendation"]["between"], "M");
+  EXPECT_EQ(json["measures"][2]["provenance"], "ruled");
+  EXPECT_EQ(json["layers"][1]["particle_count_inside"], 3);
+  // A fit that nobody judged says so, under the same names.
+  const nlohmann::json plain = nlohmann::json::parse(WriteJson(MakeReport()));
+  EXPECT_TRUE(plain["verdict"].is_null());
+  EXPECT_TRUE(plain["recommendation"].is_null());
+  EXPECT_TRUE(plain["sizes"].empty());
+}
+
+TEST(FitReportText, TellsTheShopperFirst) {
+  const std::string text = WriteText(MakeJudgedReport());
+  EXPECT_THAT(text, HasSubstr("How it fits, size M\n"));
+  EXPECT_THAT(text, HasSubstr("tight at the hip: 2 cm less than the 5 cm a woven needs"));
+  EXPECT_THAT(text, HasSubstr("a close call"));
+  EXPECT_THAT(text, HasSubstr("between M and L"));
+  EXPECT_LT(text.find("between M and L"), text.find("Zone by zone, woven"));
+  EXPECT_THAT(text, HasSubstr("comfortable (0.4-1.3)"));
+  EXPECT_THAT(text, Not(HasSubstr("0.93")));  // A band, never two digits.
+  EXPECT_THAT(text, HasSubstr("not measured: the garment's thigh is not known"));
+  EXPECT_THAT(text, HasSubstr("back rise (by a drafting rule)"));
+  EXPECT_THAT(text, HasSubstr("thigh width (folding hides it"));
+  EXPECT_THAT(text, HasSubstr("NOT GOOD: 3 particles inside it"));
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100U) << line;
+}
+
 TEST(FitReportText, AnEmptyReportIsStillAReport) {
   EXPECT_THAT(WriteText(FitReport()), HasSubstr("Result: NOT FINISHED"));
   EXPECT_FALSE(nlohmann::json::parse(WriteJson(FitReport())).empty());
