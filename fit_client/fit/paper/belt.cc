@@ -8,7 +8,7 @@
 #include "common/body/plane_section.h"
 #include "common/body/polygon.h"
 
-namespace fitroom {
+namespace fitroom::paper {
 namespace {
 
 // Where the ray from the middle towards the front leaves the convex outline, in the plane's (across, front).
@@ -89,4 +89,4 @@ std::vector<Eigen::Vector3d> PlaceOnBelt(const Belt& belt, std::span<const doubl
   return places;
 }
 
-}  // namespace fitroom
+}  // namespace fitroom::paper

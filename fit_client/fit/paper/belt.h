@@ -9,7 +9,7 @@
 #include "common/geometry/triangle_mesh.h"
 #include "fit_client/fit/paper/friction.h"
 
-namespace fitroom {
+namespace fitroom::paper {
 
 // A tape round the body at one height, from the centre front round over the body's left.
 struct Belt {
@@ -30,4 +30,4 @@ Result<Belt> LayBelt(const TriangleMesh& body, double height, const PaperFrame& 
 // part of the way round the body as it has round the garment.
 std::vector<Eigen::Vector3d> PlaceOnBelt(const Belt& belt, std::span<const double> rest_distances, double rest_length);
 
-}  // namespace fitroom
+}  // namespace fitroom::paper

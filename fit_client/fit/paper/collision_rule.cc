@@ -9,7 +9,7 @@
 
 #include "fit_client/fit/collision/triangle_distance.h"
 
-namespace fitroom {
+namespace fitroom::paper {
 
 Eigen::Vector3d InelasticVelocity(const Eigen::Vector3d& velocity, const Eigen::Vector3d& normal) {
   const double normal_speed = velocity.dot(normal);
@@ -102,4 +102,4 @@ std::optional<BodyContact> BodyCollider::FindContact(const Eigen::Vector3d& from
   return NearestBehind(here, to);
 }
 
-}  // namespace fitroom
+}  // namespace fitroom::paper

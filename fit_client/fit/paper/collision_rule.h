@@ -9,7 +9,7 @@
 #include "common/geometry/triangle_mesh.h"
 #include "fit_client/fit/paper/voxel_grid.h"
 
-namespace fitroom {
+namespace fitroom::paper {
 
 // The collision rule: inelastic, "only the horizontal component remains", horizontal along the polygon. Returns
 // v - (v . n) n where v goes into the surface, v . n < 0, and v elsewhere. `normal` has unit length.
@@ -56,4 +56,4 @@ class BodyCollider {
   std::vector<Eigen::Vector3d> normals_;  // One a triangle; zero for one without area.
 };
 
-}  // namespace fitroom
+}  // namespace fitroom::paper

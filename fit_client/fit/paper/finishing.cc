@@ -9,7 +9,7 @@
 #include "common/base/check.h"
 #include "fit_client/fit/collision/triangle_distance.h"
 
-namespace fitroom {
+namespace fitroom::paper {
 
 FootOfNormal FindFootOfNormal(const TriangleMesh& body, const Eigen::Vector3d& point) {
   FR_CHECK(!body.triangles.empty());
@@ -69,4 +69,4 @@ double ShareAtRest(std::span<const double> speeds, double rest_speed) {
   return static_cast<double>(slow) / static_cast<double>(speeds.size());
 }
 
-}  // namespace fitroom
+}  // namespace fitroom::paper

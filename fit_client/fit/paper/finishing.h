@@ -8,7 +8,7 @@
 
 #include "common/geometry/triangle_mesh.h"
 
-namespace fitroom {
+namespace fitroom::paper {
 
 // The foot of the normal that leads from the body's surface to a point: the surface's nearest place.
 struct FootOfNormal {
@@ -48,4 +48,4 @@ std::vector<double> MeanSpeeds(std::span<const Eigen::Vector3d> before, std::spa
 // Returns the part of the speeds that is below `rest_speed`; 1 for no speeds.
 double ShareAtRest(std::span<const double> speeds, double rest_speed);
 
-}  // namespace fitroom
+}  // namespace fitroom::paper

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace fitroom {
+namespace fitroom::paper {
 
 Eigen::Vector3d FrictionForce(const Eigen::Vector3d& velocity, double factor, const PaperFrame& frame,
                               FrictionAxes axes) {
@@ -19,4 +19,4 @@ Eigen::Vector3d CoulombSlowed(const Eigen::Vector3d& tangential_velocity, double
   return tangential_velocity * std::max(0.0, 1.0 - coefficient * normal_speed / speed);
 }
 
-}  // namespace fitroom
+}  // namespace fitroom::paper

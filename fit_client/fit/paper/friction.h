@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace fitroom {
+namespace fitroom::paper {
 
 // Which way the axes of the caller's frame point. The body's canonical frame is Y up and faces +Z; in the method's
 // files, as 3D Studio Max writes them, Z is up.
@@ -37,4 +37,4 @@ Eigen::Vector3d FrictionForce(const Eigen::Vector3d& velocity, double factor, co
 // particle. Returns the tangential velocity less at most `coefficient` times that.
 Eigen::Vector3d CoulombSlowed(const Eigen::Vector3d& tangential_velocity, double normal_speed, double coefficient);
 
-}  // namespace fitroom
+}  // namespace fitroom::paper

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fitroom {
+namespace fitroom::paper {
 
 Eigen::Vector3d NextVelocity(const Eigen::Vector3d& velocity, const Eigen::Vector3d& force, double mass,
                              double time_step) {
@@ -34,4 +34,4 @@ double HighestFrequency(const PaperCloth& cloth) {
   return std::sqrt(largest);
 }
 
-}  // namespace fitroom
+}  // namespace fitroom::paper

@@ -7,7 +7,7 @@
 
 #include "fit_client/fit/paper/paper_cloth.h"
 
-namespace fitroom {
+namespace fitroom::paper {
 
 // How equation (2) is read.
 enum class IntegrationLaw {
@@ -37,4 +37,4 @@ ParticleMotion Integrate(const ParticleMotion& motion, const Eigen::Vector3d& fo
 // three.
 double HighestFrequency(const PaperCloth& cloth);
 
-}  // namespace fitroom
+}  // namespace fitroom::paper

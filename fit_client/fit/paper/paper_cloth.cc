@@ -8,7 +8,7 @@
 
 #include <Eigen/Geometry>
 
-namespace fitroom {
+namespace fitroom::paper {
 namespace {
 
 // Area of the triangles on both sides of each edge; lower vertex first.
@@ -104,4 +104,4 @@ std::vector<Eigen::Vector3d> AlivePositions(const PaperCloth& cloth) {
   return places;
 }
 
-}  // namespace fitroom
+}  // namespace fitroom::paper

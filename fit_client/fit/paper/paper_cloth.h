@@ -10,7 +10,7 @@
 #include "fit_client/fit/paper/spring.h"
 #include "fit_client/fit/solver/cloth_model.h"
 
-namespace fitroom {
+namespace fitroom::paper {
 
 // What a particle weighs.
 enum class MassLaw {
@@ -64,4 +64,4 @@ std::vector<Eigen::Vector3d> VertexPositions(const PaperCloth& cloth);
 // Returns the positions of the particles that are not merged into others.
 std::vector<Eigen::Vector3d> AlivePositions(const PaperCloth& cloth);
 
-}  // namespace fitroom
+}  // namespace fitroom::paper

@@ -9,7 +9,7 @@
 #include "fit_client/fit/collision/signed_distance_field.h"
 #include "fit_client/fit/solver/drape_measures.h"
 
-namespace fitroom {
+namespace fitroom::paper {
 namespace {
 
 constexpr double kWindow = 1.0 / 60.0;     // Between looks at conditions and rest (unit: second).
@@ -404,4 +404,4 @@ Result<PaperResult> PaperDrape(const ClothMesh& mesh, std::span<const Eigen::Vec
   return run.Conclude(executor, highest_frequency);
 }
 
-}  // namespace fitroom
+}  // namespace fitroom::paper

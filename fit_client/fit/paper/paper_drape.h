@@ -19,7 +19,7 @@
 #include "fit_client/fit/paper/paper_motion.h"
 #include "fit_client/fit/solver/drape.h"
 
-namespace fitroom {
+namespace fitroom::paper {
 
 // What the run has to know of a bottom: a skirt, shorts or trousers. All numbers are vertices of the mesh. Where the
 // top edge crosses a seam it names both partners, one after the other.
@@ -103,4 +103,4 @@ Result<PaperResult> PaperDrape(const ClothMesh& mesh, std::span<const Eigen::Vec
                                const TriangleMesh& body, const PaperOptions& options, Executor& executor,
                                const PaperObserver& observer);
 
-}  // namespace fitroom
+}  // namespace fitroom::paper

@@ -7,7 +7,7 @@
 
 #include "fit_client/fit/paper/weight.h"
 
-namespace fitroom {
+namespace fitroom::paper {
 
 PaperMotion::PaperMotion(PaperCloth cloth, const BodyCollider& collider, const PaperMotionOptions& options,
                          double time_step)
@@ -116,4 +116,4 @@ void PaperMotion::Step(PaperStage stage) {
   }
 }
 
-}  // namespace fitroom
+}  // namespace fitroom::paper

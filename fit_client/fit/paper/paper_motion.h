@@ -14,7 +14,7 @@
 #include "fit_client/fit/paper/stage_forces.h"
 #include "fit_client/fit/paper/stitching.h"
 
-namespace fitroom {
+namespace fitroom::paper {
 
 // How friction on colliding particles is read.
 enum class FrictionLaw {
@@ -82,4 +82,4 @@ class PaperMotion {
   ForceAudit audit_;
 };
 
-}  // namespace fitroom
+}  // namespace fitroom::paper

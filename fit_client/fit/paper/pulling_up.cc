@@ -2,7 +2,7 @@
 
 #include "fit_client/fit/paper/integration.h"
 
-namespace fitroom {
+namespace fitroom::paper {
 
 Eigen::Vector3d PulledUpVelocity(const Eigen::Vector3d& velocity, const Eigen::Vector3d& force,
                                  const Eigen::Vector3d& friction, double mass, double time_step, PullingUpLaw law) {
@@ -15,4 +15,4 @@ bool CrotchReached(const Eigen::Vector3d& crotch, const Eigen::Vector3d& groin, 
   return (crotch - groin).norm() < epsilon;
 }
 
-}  // namespace fitroom
+}  // namespace fitroom::paper

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace fitroom {
+namespace fitroom::paper {
 
 // How equation (7) is read.
 enum class PullingUpLaw {
@@ -19,4 +19,4 @@ Eigen::Vector3d PulledUpVelocity(const Eigen::Vector3d& velocity, const Eigen::V
 // The condition that ends it: the crotch of the garment is less than `epsilon` away from the groin.
 bool CrotchReached(const Eigen::Vector3d& crotch, const Eigen::Vector3d& groin, double epsilon);
 
-}  // namespace fitroom
+}  // namespace fitroom::paper

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace fitroom {
+namespace fitroom::paper {
 
 Eigen::Vector3d SpringForce(const Eigen::Vector3d& dp, const Eigen::Vector3d& dv, double rest_length,
                             const SpringConstants& constants, SpringLaw law) {
@@ -14,4 +14,4 @@ Eigen::Vector3d SpringForce(const Eigen::Vector3d& dp, const Eigen::Vector3d& dv
   return -(constants.stiffness * extension + constants.damping * dv.dot(direction)) * direction;
 }
 
-}  // namespace fitroom
+}  // namespace fitroom::paper

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace fitroom {
+namespace fitroom::paper {
 
 // How equation (1) is read.
 enum class SpringLaw {
@@ -24,4 +24,4 @@ struct SpringConstants {
 Eigen::Vector3d SpringForce(const Eigen::Vector3d& dp, const Eigen::Vector3d& dv, double rest_length,
                             const SpringConstants& constants, SpringLaw law);
 
-}  // namespace fitroom
+}  // namespace fitroom::paper

@@ -1,6 +1,6 @@
 #include "fit_client/fit/paper/stage_forces.h"
 
-namespace fitroom {
+namespace fitroom::paper {
 
 std::string_view PaperStageName(PaperStage stage) {
   switch (stage) {
@@ -43,4 +43,4 @@ StageForces ForcesOf(PaperStage stage) {
   return forces;
 }
 
-}  // namespace fitroom
+}  // namespace fitroom::paper

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace fitroom {
+namespace fitroom::paper {
 
 // The stages of the method. A top goes through kMerging, kStitched, kDraping; a bottom through all.
 enum class PaperStage {
@@ -54,4 +54,4 @@ struct ForceAudit {
   }
 };
 
-}  // namespace fitroom
+}  // namespace fitroom::paper

@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-namespace fitroom {
+namespace fitroom::paper {
 namespace {
 
 // The axis along which the front panel is thinnest.
@@ -77,4 +77,4 @@ bool Met(const Eigen::Vector3d& dp_before, const Eigen::Vector3d& dp_after, doub
   return (dp_before + t * way).norm() < gap;
 }
 
-}  // namespace fitroom
+}  // namespace fitroom::paper

@@ -9,7 +9,7 @@
 #include "fit_client/fit/cloth_mesh.h"
 #include "fit_client/fit/paper/paper_cloth.h"
 
-namespace fitroom {
+namespace fitroom::paper {
 
 // How equation (3)'s stitching force is read; the method leaves it and its end undefined.
 enum class StitchingLaw {
@@ -40,4 +40,4 @@ Eigen::Vector3d StitchingForce(const Eigen::Vector3d& dp, const Eigen::Vector3d&
 // after.
 bool Met(const Eigen::Vector3d& dp_before, const Eigen::Vector3d& dp_after, double gap);
 
-}  // namespace fitroom
+}  // namespace fitroom::paper

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-namespace fitroom {
+namespace fitroom::paper {
 namespace {
 
 constexpr double kLargestCoordinate = 100.0;  // (unit: metre)
@@ -109,4 +109,4 @@ std::span<const int32_t> VoxelGrid::TrianglesAt(const Eigen::Vector3d& point) co
   return std::span<const int32_t>(triangles_).subspan(begin, end - begin);
 }
 
-}  // namespace fitroom
+}  // namespace fitroom::paper

@@ -11,7 +11,7 @@
 #include "common/base/status.h"
 #include "common/geometry/triangle_mesh.h"
 
-namespace fitroom {
+namespace fitroom::paper {
 
 // In which voxels a polygon of the body is registered.
 enum class Registration {
@@ -47,4 +47,4 @@ class VoxelGrid {
   std::vector<int32_t> triangles_;
 };
 
-}  // namespace fitroom
+}  // namespace fitroom::paper

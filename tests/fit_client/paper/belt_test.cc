@@ -10,7 +10,7 @@
 #include "tests/fit_client/paper/common_case.h"
 #include "tests/support/test_data.h"
 
-namespace fitroom {
+namespace fitroom::paper {
 namespace {
 
 TEST(Belt, S30_TapeOfAnEllipseHasItsPerimeter) {
@@ -97,4 +97,4 @@ TEST(Belt, S30_TapeOfABodySectionHasTheLengthCauchySays) {
 }
 
 }  // namespace
-}  // namespace fitroom
+}  // namespace fitroom::paper

@@ -7,7 +7,7 @@
 #include "fit_client/fit/paper/paper_motion.h"
 #include "tests/fit_client/collision/shapes.h"
 
-namespace fitroom {
+namespace fitroom::paper {
 namespace {
 
 TEST(CollisionRule, S26_WallAndSlopeTakeTheNormalPartOnly) {
@@ -108,4 +108,4 @@ TEST(CollisionRule, S26_OutsideABoxNothingTouches) {
 }
 
 }  // namespace
-}  // namespace fitroom
+}  // namespace fitroom::paper

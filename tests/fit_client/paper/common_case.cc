@@ -78,6 +78,14 @@ ClothMesh MakeConeSkirt(double upper_half_width, double lower_half_width, double
   return mesh;
 }
 
+TriangleMesh CommonCone() { return MakeEllipticCone(0.06, 0.24, 0.7, -0.3, 0.3, 96, 60); }
+
+ClothMesh CommonSkirt(double refinement) {
+  const int columns = 2 * static_cast<int>(std::lround(6.0 * refinement));
+  const int rows = static_cast<int>(std::lround(10.0 * refinement));
+  return MakeConeSkirt(0.06, 0.24, 0.7, -0.3, 0.3, -0.1, 0.2, 1.02, 0.17, columns, rows);
+}
+
 double EllipsePerimeter(double a, double b) {
   const double h = (a - b) * (a - b) / ((a + b) * (a + b));
   return M_PI * (a + b) * (1.0 + 3.0 * h / (10.0 + std::sqrt(4.0 - 3.0 * h)));

@@ -20,6 +20,12 @@ TriangleMesh MakeEllipticCone(double upper_half_width, double lower_half_width, 
 ClothMesh MakeConeSkirt(double upper_half_width, double lower_half_width, double depth_ratio, double body_low,
                         double body_high, double low, double high, double ease, double distance, int columns, int rows);
 
+// The case that both profiles can end: an elliptic cone that widens downwards, so steep that a strain of one per cent
+// is a slip of no more than 3 mm, and a skirt cut to it with 2 % of ease, of 3 cm pitch over `refinement`. Friction,
+// bending and folds decide nothing here: the end is the only one there is.
+TriangleMesh CommonCone();
+ClothMesh CommonSkirt(double refinement);
+
 // Perimeter of an ellipse by Ramanujan's second formula, exact to 1e-5 of it for ratios above 0.5.
 double EllipsePerimeter(double a, double b);
 

@@ -6,7 +6,7 @@
 
 #include "tests/fit_client/collision/shapes.h"
 
-namespace fitroom {
+namespace fitroom::paper {
 namespace {
 
 TEST(TopIsDone, S27_ExactlyWhenEveryPointIsNearerThanEpsilon) {
@@ -89,4 +89,4 @@ TEST(Rest, S33_CountsWhoIsSlowerThanThirtyHundredthsOfAMillimetreASixtieth) {
 }
 
 }  // namespace
-}  // namespace fitroom
+}  // namespace fitroom::paper

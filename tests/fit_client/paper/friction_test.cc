@@ -8,7 +8,7 @@
 #include "fit_client/fit/paper/paper_motion.h"
 #include "tests/fit_client/collision/shapes.h"
 
-namespace fitroom {
+namespace fitroom::paper {
 namespace {
 
 TEST(Friction, S23_ActsAlongXAndZOfTheFile) {
@@ -69,4 +69,4 @@ TEST(Friction, S23_CoulombTakesAtMostItsConeAndStops) {
 }
 
 }  // namespace
-}  // namespace fitroom
+}  // namespace fitroom::paper

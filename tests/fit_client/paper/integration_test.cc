@@ -8,7 +8,7 @@
 
 #include "fit_client/fit/paper/spring.h"
 
-namespace fitroom {
+namespace fitroom::paper {
 namespace {
 
 // A mass of 1 kg on a spring with angular frequency 1 rad/s, along x; `omega_step` is omega dt.
@@ -136,4 +136,4 @@ TEST(Integration, S21_HighestFrequencyBoundsWhatTheNetHas) {
 }
 
 }  // namespace
-}  // namespace fitroom
+}  // namespace fitroom::paper

@@ -9,7 +9,7 @@
 #include "tests/fit_client/collision/shapes.h"
 #include "tests/fit_client/paper/common_case.h"
 
-namespace fitroom {
+namespace fitroom::paper {
 namespace {
 
 // A small skirt on an elliptic cone, standing in for a top: 2 x 8 x 5 squares.
@@ -270,4 +270,4 @@ TEST(PaperDrape, RefusesWhatItCannotRun) {
 }
 
 }  // namespace
-}  // namespace fitroom
+}  // namespace fitroom::paper

@@ -8,7 +8,7 @@
 #include "fit_client/fit/paper/weight.h"
 #include "tests/fit_client/collision/shapes.h"
 
-namespace fitroom {
+namespace fitroom::paper {
 namespace {
 
 TEST(PullingUp, S28_ThePrintedTermIsAddedToTheVelocity) {
@@ -72,4 +72,4 @@ TEST(Antigravity, S29_AFreeParticleRisesAsItWouldFall) {
 }
 
 }  // namespace
-}  // namespace fitroom
+}  // namespace fitroom::paper

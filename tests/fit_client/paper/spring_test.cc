@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fitroom {
+namespace fitroom::paper {
 namespace {
 
 // dp = (3, 4, 0): length 5, direction (0.6, 0.8, 0). dv . u = 0.6. k = 10, k_d = 2. Worked out by hand.
@@ -63,4 +63,4 @@ TEST(Spring, S20_ParticlesOnOnePlaceHaveNoDirection) {
 }
 
 }  // namespace
-}  // namespace fitroom
+}  // namespace fitroom::paper

@@ -8,7 +8,7 @@
 #include "tests/fit_client/collision/shapes.h"
 #include "tests/fit_client/paper/common_case.h"
 
-namespace fitroom {
+namespace fitroom::paper {
 namespace {
 
 BodyCollider FarBody() { return BodyCollider::Build(testing::MakeSphere({0.0, -9.0, 0.0}, 0.05, 1), 0.05, {}).value(); }
@@ -138,4 +138,4 @@ TEST(Stitching, S22_SewingKeepsMassAndMomentumAndDropsTheSpringBetween) {
 }
 
 }  // namespace
-}  // namespace fitroom
+}  // namespace fitroom::paper

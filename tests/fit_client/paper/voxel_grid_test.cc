@@ -9,7 +9,7 @@
 #include "fit_client/fit/paper/collision_rule.h"
 #include "tests/fit_client/collision/shapes.h"
 
-namespace fitroom {
+namespace fitroom::paper {
 namespace {
 
 bool Holds(std::span<const int32_t> triangles, int32_t triangle) {
@@ -83,4 +83,4 @@ TEST(VoxelGrid, S25_RefusesWhatCannotBeHeld) {
 }
 
 }  // namespace
-}  // namespace fitroom
+}  // namespace fitroom::paper
