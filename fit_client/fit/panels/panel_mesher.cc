@@ -21,8 +21,8 @@ constexpr double kLongEdge = 1.38;
 // Points further than this from the outline are not moved (unit: pitch).
 constexpr double kSmoothingDepth = 3.5;
 constexpr int kSmoothingRounds = 3;
-constexpr double kSharpAngle =
-    30.0 * std::numbers::pi / 180.0;  // Triangles with a smaller angle are mended (unit: radian).
+// Triangles with an angle of less than 30 degrees are mended: its cosine.
+constexpr double kSharpCosine = 0.5 * std::numbers::sqrt3;
 constexpr int kSweepsPerRound = 4;
 
 // Answers how far points lie from the outline, by buckets of outline segments. Distances are exact up to `reach`.
@@ -189,44 +189,67 @@ void SmoothNearOutline(int outline_count, const OutlineDistance& distance, doubl
   }
 }
 
-// The smallest angle of a triangle (unit: radian); negative for one that is turned over or flat.
-double SmallestAngle(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
-  if (!IsPositive(a, b, c, 0.0)) return -1.0;
-  const auto angle = [](const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
-    return std::acos(std::clamp(u.dot(v) / (u.norm() * v.norm()), -1.0, 1.0));
-  };
-  return std::min({angle(b - a, c - a), angle(a - b, c - b), angle(a - c, b - c)});
+// The cosine of a triangle's smallest angle, which falls as the angle grows; 2 for one that is turned over or flat.
+double SharpestCosine(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+  if (!IsPositive(a, b, c, 0.0)) return 2.0;
+  const Eigen::Vector2d ab = b - a, bc = c - b, ca = a - c;
+  const double ab_length = ab.norm(), bc_length = bc.norm(), ca_length = ca.norm();
+  return std::max({-ab.dot(ca) / (ab_length * ca_length), -bc.dot(ab) / (bc_length * ab_length),
+                   -ca.dot(bc) / (ca_length * bc_length)});
+}
+
+double SharpestCosine(const PanelMesh& mesh, const Eigen::Vector3i& corner) {
+  return SharpestCosine(mesh.points[static_cast<size_t>(corner[0])], mesh.points[static_cast<size_t>(corner[1])],
+                        mesh.points[static_cast<size_t>(corner[2])]);
+}
+
+// The corners of triangles that are too sharp, and of the triangles round these.
+std::vector<bool> NearSharpAngles(const PanelMesh& mesh) {
+  std::vector<bool> sharp(mesh.points.size(), false);
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    if (SharpestCosine(mesh, t) < kSharpCosine) continue;
+    for (const int v : t) sharp[static_cast<size_t>(v)] = true;
+  }
+  std::vector<bool> near = sharp;
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    if (!sharp[static_cast<size_t>(t[0])] && !sharp[static_cast<size_t>(t[1])] && !sharp[static_cast<size_t>(t[2])]) {
+      continue;
+    }
+    for (const int v : t) near[static_cast<size_t>(v)] = true;
+  }
+  return near;
 }
 
 // Moves inner points of triangles that are too sharp to where the sharpest angle round the point is widest, looking in
 // eight directions with ever shorter steps. What averaging leaves between a curved outline and the lattice is mended
 // so.
 void OpenSharpAngles(int outline_count, double pitch, PanelMesh& mesh) {
-  std::vector<std::vector<int>> triangles_of(mesh.points.size());
-  for (size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (const int v : mesh.triangles[t]) triangles_of[static_cast<size_t>(v)].push_back(static_cast<int>(t));
-  }
-  const auto sharpest_round = [&](size_t v) {
-    double sharpest = std::numbers::pi;
-    for (const int t : triangles_of[v]) {
-      const Eigen::Vector3i& corner = mesh.triangles[static_cast<size_t>(t)];
-      sharpest = std::min(sharpest, SmallestAngle(mesh.points[static_cast<size_t>(corner[0])],
-                                                  mesh.points[static_cast<size_t>(corner[1])],
-                                                  mesh.points[static_cast<size_t>(corner[2])]));
-    }
-    return sharpest;
-  };
   for (double step = 0.16 * pitch; step > 0.01 * pitch; step *= 0.5) {
+    const std::vector<bool> may_move = NearSharpAngles(mesh);
+    std::vector<std::vector<int>> triangles_of(mesh.points.size());
+    for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+      for (const int v : mesh.triangles[t]) {
+        if (may_move[static_cast<size_t>(v)]) triangles_of[static_cast<size_t>(v)].push_back(static_cast<int>(t));
+      }
+    }
+    const auto sharpest_round = [&](size_t v) {
+      double sharpest = -1.0;
+      for (const int t : triangles_of[v]) {
+        sharpest = std::max(sharpest, SharpestCosine(mesh, mesh.triangles[static_cast<size_t>(t)]));
+      }
+      return sharpest;
+    };
     for (size_t v = static_cast<size_t>(outline_count); v < mesh.points.size(); ++v) {
+      if (!may_move[v]) continue;
       double best = sharpest_round(v);
-      if (best > kSharpAngle) continue;
+      if (best < kSharpCosine) continue;
       const Eigen::Vector2d from = mesh.points[v];
       Eigen::Vector2d to = from;
       for (int direction = 0; direction < 8; ++direction) {
         const double heading = direction * std::numbers::pi / 4.0;
         mesh.points[v] = from + step * Eigen::Vector2d(std::cos(heading), std::sin(heading));
         const double sharpest = sharpest_round(v);
-        if (sharpest <= best) continue;
+        if (sharpest >= best) continue;
         best = sharpest;
         to = mesh.points[v];
       }

@@ -237,6 +237,10 @@ Result<GarmentPattern> ReconcileViews(const Garment& garment) {
   pattern.kind = garment.kind;
   pattern.asymmetric_by_design = IsAsymmetric(layout, {&front, &back});
   const bool asymmetric = pattern.asymmetric_by_design;
+  if (asymmetric) {
+    panels::LevelUpperOpening(front);
+    panels::LevelUpperOpening(back);
+  }
   std::vector<Polyline> shared = AverageShared(layout, front, back, asymmetric);
   if (HasSleeves(garment.kind)) panels::KeepSleeveLengths(layout, knots, {&front, &back}, asymmetric, shared);
   for (size_t s = 0; s < layout.size(); ++s) {

@@ -39,10 +39,17 @@ SleeveWeight::SleeveWeight(const PanelPattern& panel, GarmentKind kind, bool lef
     append(end->points.begin() + 1, end->points.end());
     append(underside->points.begin() + 1, underside->points.end());
   }
+  for (const Eigen::Vector2d& p : sleeve_) {
+    low_ = low_.cwiseMin(p);
+    high_ = high_.cwiseMax(p);
+  }
 }
 
 double SleeveWeight::At(const Eigen::Vector2d& point) const {
-  if (sleeve_.empty()) return 0.0;
+  // Also a kind without sleeves: its box is empty.
+  if ((point.array() < low_.array() - kBlendWidth).any() || (point.array() > high_.array() + kBlendWidth).any()) {
+    return 0.0;
+  }
   const double distance = DistanceToSegment(point, shoulder_tip_, underarm_);
   // The outline itself may lie a rounding error outside the sleeve: only near the armhole does the sign matter there.
   const double inside = PolygonContains(sleeve_, point) || DistanceToChain(point, sleeve_) < 1e-6 ? 1.0 : -1.0;

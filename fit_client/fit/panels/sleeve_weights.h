@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include <Eigen/Core>
 
 #include "fit_client/fit/panels/pattern.h"
@@ -20,6 +22,9 @@ class SleeveWeight {
  private:
   Eigen::Vector2d shoulder_tip_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d underarm_ = Eigen::Vector2d::Zero();
+  // The box round the sleeve.
+  Eigen::Vector2d low_ = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector2d high_ = Eigen::Vector2d::Constant(-std::numeric_limits<double>::infinity());
   Polyline sleeve_;  // The closed outline of the sleeve, the armhole line its last side.
 };
 

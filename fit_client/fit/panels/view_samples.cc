@@ -123,6 +123,16 @@ void CentreOnSeams(const std::vector<SectionLayout>& layout, ViewSamples& sample
   }
 }
 
+void LevelUpperOpening(ViewSamples& samples) {
+  const Eigen::Vector2d left = (samples.points.front().front() - samples.points.front().back()).normalized();
+  if (!left.allFinite()) return;
+  Eigen::Matrix2d level_from_upright;
+  level_from_upright << left.x(), left.y(), -left.y(), left.x();
+  for (Polyline& points : samples.points) {
+    for (Eigen::Vector2d& p : points) p = level_from_upright * p;
+  }
+}
+
 Polyline Mirrored(const Polyline& points) {
   Polyline mirrored(points.rbegin(), points.rend());
   for (Eigen::Vector2d& p : mirrored) p.x() = -p.x();

@@ -99,14 +99,15 @@ Eigen::Vector2d Same(const Eigen::Vector2d& p) { return p; }
 
 constexpr double kSkirtHip = 0.20, kTrouserHip = 0.18;  // Below the waist (unit: metre).
 
-Half HalfSkirt(const DrawnSkirt& s, double dip) {
-  const double hem_y = -s.length;
+Half HalfSkirt(const DrawnSkirt& s, double dip, bool left) {
+  const double hem_y = -s.length + (left ? 0.0 : s.right_hem_lift);
   const Eigen::Vector2d waist(s.half_waist, 0.0), hip(s.half_hip, -kSkirtHip), hem(s.half_hem, hem_y);
   const Eigen::Vector2d handle = hip - (hem - hip) * (0.5 * kSkirtHip / (hip.y() - hem.y()));
   Half half = {{Dip(s.half_waist, 0.0, dip), {{0.0, "waist_centre"}, {0.5, "waist_quarter_L"}}},
                {Bow(waist, handle, hip), {{0.0, "e1"}, {1.0, "hip_L"}}},
                {Line(hip, hem), {{1.0, "e2"}}},
                {Reversed(Dip(s.half_hem, hem_y, s.hem_sag)), {{0.5, "hem_quarter_L"}, {1.0, "hem_centre"}}}};
+  if (s.right_hem_lift > 0.0) half[3].curve = Line(hem, {0.0, -s.length + 0.5 * s.right_hem_lift});
   if (s.slit_depth > 0.0) {
     half[3].at.pop_back();
     half.push_back({Line({0.005, hem_y}, {0.0, hem_y + s.slit_depth}), {{1.0, "hem_centre"}}});
@@ -180,7 +181,8 @@ GarmentView DrawView(const DrawnSkirt& skirt, GarmentSide side, const DrawnView&
   DrawnSkirt right = skirt;
   right.half_hip *= skirt.right_hip_share;
   right.half_hem *= skirt.right_hip_share;
-  return Photograph(GarmentKind::kSkirt, HalfSkirt(skirt, dip), HalfSkirt(right, dip), Same, Same, side, view);
+  return Photograph(GarmentKind::kSkirt, HalfSkirt(skirt, dip, true), HalfSkirt(right, dip, false), Same, Same, side,
+                    view);
 }
 
 GarmentView DrawView(const DrawnTrousers& trousers, GarmentSide side, const DrawnView& view, double leg_turn_deg) {

@@ -20,6 +20,7 @@ struct DrawnSkirt {
   double back_dip = 0.0;
   double slit_depth = 0.0;       // Of a slit in the middle of the hem that gapes by 1 cm; its end is the hem's centre.
   double hem_sag = 0.0;          // How much lower the hem's centre lies than its corners.
+  double right_hem_lift = 0.0;   // How much higher the wearer's right hem corner lies: the hem runs slanting.
   double right_hip_share = 1.0;  // The wearer's right half's hip and hem as a share of the left one's.
 };
 
