@@ -345,6 +345,21 @@ class Assessor {
 
 }  // namespace
 
+Result<SignedDistanceField> BuildGapField(const TriangleMesh& surface, const std::vector<Eigen::Vector3d>& positions,
+                                          Executor& executor) {
+  constexpr double kMargin = 0.01;  // (unit: metre)
+  SignedDistanceFieldOptions options;
+  options.pitch = 0.006;
+  Eigen::AlignedBox3d region;
+  for (const Eigen::Vector3d& position : positions) {
+    if (position.allFinite()) region.extend(position);
+  }
+  if (!region.isEmpty()) {
+    options.region = Eigen::AlignedBox3d(region.min().array() - kMargin, region.max().array() + kMargin);
+  }
+  return SignedDistanceField::Build(surface, options, executor);
+}
+
 FitAssessment AssessFit(const AssessInput& input) {
   FR_CHECK(input.cloth != nullptr && input.positions != nullptr && input.body != nullptr && input.fabric != nullptr);
   FR_CHECK(input.positions->size() == input.cloth->rest_positions.size());

@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include "common/base/executor.h"
+#include "common/base/status.h"
 #include "common/body/body.h"
 #include "common/garment/garment.h"
 #include "fit_client/fit/cloth_mesh.h"
@@ -42,6 +44,11 @@ struct FitAssessment {
 // Cloth that lies closer to the body than this touches it: the solver keeps 3 mm, and edge middles come no closer than
 // one (unit: metre).
 inline constexpr double kContactGap = 0.006;
+
+// Builds the field for AssessInput::surface: of `surface` (closed: the repaired body, or body and layers below as one),
+// round the worn garment only and coarse, since a map's bands are wide. Fails like SignedDistanceField::Build().
+Result<SignedDistanceField> BuildGapField(const TriangleMesh& surface, const std::vector<Eigen::Vector3d>& positions,
+                                          Executor& executor);
 
 // Measures how a worn garment fits: girths by the garment's own lines, strain from the deformation gradient, pressure
 // by Laplace's law and by the balance of forces. A zone that cannot be measured says why in its note. Positions must be

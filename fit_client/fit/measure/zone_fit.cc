@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "common/body/tape_girths.h"
 
@@ -84,6 +85,16 @@ Provenance ZoneProvenance(GarmentKind kind, FitZone zone, const std::vector<Garm
   const GarmentMeasure* measure = FindMeasure(measures, MeasureOf(zone));
   if (measure != nullptr) return measure->provenance;
   return HasLegs(kind) && zone == FitZone::kThigh ? Provenance::kUnknown : Provenance::kMeasured;
+}
+
+std::vector<std::string> UnknownDimensions(GarmentKind kind, const std::vector<GarmentMeasure>& measures) {
+  std::vector<std::string> unknown;
+  if (!HasLegs(kind)) return unknown;
+  for (const auto& [name, words] : {std::pair("front_rise", "front rise"), std::pair("back_rise", "back rise")}) {
+    const GarmentMeasure* measure = FindMeasure(measures, name);
+    if (measure == nullptr || measure->provenance == Provenance::kUnknown) unknown.emplace_back(words);
+  }
+  return unknown;
 }
 
 }  // namespace fitroom

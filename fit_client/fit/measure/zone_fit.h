@@ -47,4 +47,9 @@ std::vector<ZoneFit> ZonesFromMeasures(GarmentKind kind, const std::vector<Garme
 // measure is absent, because folding hides it; kMeasured where the panels show it.
 Provenance ZoneProvenance(GarmentKind kind, FitZone zone, const std::vector<GarmentMeasure>& measures);
 
+// Returns the dimensions beside the zones that decide whether a garment of this kind fits and that these measures do
+// not know, in a shopper's words: "front rise", "back rise" of trousers whose fork folding hides. For
+// VerdictInput::unknown.
+std::vector<std::string> UnknownDimensions(GarmentKind kind, const std::vector<GarmentMeasure>& measures);
+
 }  // namespace fitroom

@@ -62,22 +62,27 @@ Band MakeBand(double radius, double width, double strain, double strain_across, 
 }
 
 TriangleMesh MakeCylinder(double radius) {
-  constexpr int kSides = 360;
+  constexpr int kSides = 180;
+  constexpr int kRings = 60;
   TriangleMesh mesh;
-  for (const double y : {0.7, 1.3}) {
+  for (int ring = 0; ring <= kRings; ++ring) {
     for (int k = 0; k < kSides; ++k) {
       const double angle = 2.0 * std::numbers::pi * k / kSides;
-      mesh.vertices.emplace_back(radius * std::sin(angle), y, radius * std::cos(angle));
+      mesh.vertices.emplace_back(radius * std::sin(angle), 0.7 + 0.6 * ring / kRings, radius * std::cos(angle));
     }
   }
+  const int low = static_cast<int>(mesh.vertices.size());
   mesh.vertices.emplace_back(0.0, 0.7, 0.0);
   mesh.vertices.emplace_back(0.0, 1.3, 0.0);
   for (int k = 0; k < kSides; ++k) {
     const int next = (k + 1) % kSides;
-    mesh.triangles.emplace_back(k, next, kSides + next);
-    mesh.triangles.emplace_back(k, kSides + next, kSides + k);
-    mesh.triangles.emplace_back(2 * kSides, next, k);
-    mesh.triangles.emplace_back(2 * kSides + 1, kSides + k, kSides + next);
+    for (int ring = 0; ring < kRings; ++ring) {
+      const int row = ring * kSides;
+      mesh.triangles.emplace_back(row + k, row + next, row + kSides + next);
+      mesh.triangles.emplace_back(row + k, row + kSides + next, row + kSides + k);
+    }
+    mesh.triangles.emplace_back(low, next, k);
+    mesh.triangles.emplace_back(low + 1, kRings * kSides + k, kRings * kSides + next);
   }
   return mesh;
 }

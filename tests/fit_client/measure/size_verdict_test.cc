@@ -115,6 +115,18 @@ TEST(SizeVerdict, IsRefusedWhereADecidingDimensionIsUnknown) {
   EXPECT_EQ(JudgeSize(input).verdict, FitVerdict::kGood);
 }
 
+TEST(SizeVerdict, TheRiseOfFoldedTrousersIsUnknown) {
+  EXPECT_THAT(UnknownDimensions(GarmentKind::kPants, {{"hip_width", 0.5}}), ElementsAre("front rise", "back rise"));
+  EXPECT_THAT(UnknownDimensions(GarmentKind::kShorts,
+                                {{"front_rise", 0.27, Provenance::kStated}, {"back_rise", 0.0, Provenance::kUnknown}}),
+              ElementsAre("back rise"));
+  EXPECT_TRUE(UnknownDimensions(GarmentKind::kSkirt, {}).empty());
+  EXPECT_EQ(ZoneProvenance(GarmentKind::kPants, FitZone::kThigh, {}), Provenance::kUnknown);
+  EXPECT_EQ(ZoneProvenance(GarmentKind::kPants, FitZone::kHip, {}), Provenance::kMeasured);
+  EXPECT_EQ(ZoneProvenance(GarmentKind::kPants, FitZone::kThigh, {{"thigh_width", 0.3, Provenance::kRuled}}),
+            Provenance::kRuled);
+}
+
 TEST(SizeVerdict, NearALimitIsACloseCall) {
   EXPECT_TRUE(JudgeSize(Trousers(0.03, 0.060, 0.05)).is_close);   // 9 mm above what the hip needs.
   EXPECT_FALSE(JudgeSize(Trousers(0.03, 0.070, 0.05)).is_close);  // 19 mm.

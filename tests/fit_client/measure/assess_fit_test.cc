@@ -1,0 +1,125 @@
+#include "fit_client/fit/measure/assess_fit.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "fit_client/fit/measure/size_verdict.h"
+#include "tests/fit_client/measure/band_on_cylinder.h"
+
+namespace fitroom {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kRadius = 0.15;
+
+// A body that is a cylinder, in a skirt that is a band.
+class AssessFitTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    body_.mesh = MakeCylinder(kRadius);
+    body_.measurements.waist = {2.0 * kPi * kRadius, 1.08};
+    body_.measurements.hip = {2.0 * kPi * kRadius, 0.97};
+  }
+
+  // A band of this radius when worn, whose cloth is stretched by `strain`.
+  FitAssessment Assess(double worn_radius, double strain, const SignedDistanceField* surface) {
+    band_ = MakeBand(worn_radius, 0.24, strain, -strain / 3.0, 0.01);
+    double top = -1.0;
+    double low = 1.0;
+    for (const Eigen::Vector3d& rest : band_.cloth.rest_positions) {
+      top = std::max(top, rest.y());
+      low = std::min(low, rest.y());
+    }
+    for (size_t i = 0; i < band_.cloth.rest_positions.size(); ++i) {
+      const std::string panel = band_.cloth.panel_of_particle[i] == 0 ? "front/" : "back/";
+      const double y = band_.cloth.rest_positions[i].y();
+      if (y == top) band_.cloth.named_particles.push_back({panel + "e1", static_cast<int>(i)});
+      if (y == low) band_.cloth.named_particles.push_back({panel + "e2", static_cast<int>(i)});
+    }
+    AssessInput input;
+    input.kind = GarmentKind::kSkirt;
+    input.fabric = FindFabric("woven");
+    input.cloth = &band_.cloth;
+    input.positions = &band_.worn;
+    input.body = &body_;
+    input.surface = surface;
+    input.gravity.setZero();
+    return AssessFit(input);
+  }
+  const ZoneFit& Zone(const FitAssessment& assessment, FitZone zone) const {
+    for (const ZoneFit& fit : assessment.zones) {
+      if (fit.zone == zone) return fit;
+    }
+    ADD_FAILURE() << "no zone " << FitZoneName(zone);
+    return assessment.zones.front();
+  }
+
+  Body body_;
+  Band band_;
+};
+
+// Garment girth less body girth, from the drape and from the flat pattern, within 10 mm, and in order over the sizes.
+TEST_F(AssessFitTest, EaseIsGarmentLessBodyAndGrowsWithTheSize) {
+  double last = -1.0;
+  for (double ease = 0.0; ease <= 0.12; ease += 0.02) {
+    const FitAssessment assessment = Assess(kRadius + ease / (2.0 * kPi), 0.0, nullptr);
+    const ZoneFit& hip = Zone(assessment, FitZone::kHip);
+    ASSERT_TRUE(hip.measured) << hip.note;
+    EXPECT_NEAR(hip.ease(), ease, 1e-6);
+    EXPECT_NEAR(hip.worn_ease(), ease, 1e-3);
+    EXPECT_GT(hip.worn_ease(), last);
+    last = hip.worn_ease();
+  }
+}
+
+TEST_F(AssessFitTest, StrainPressureAndGapAreThoseOfTheBand) {
+  constexpr double kOffset = 0.003;
+  SerialExecutor executor;
+  const Band worn = MakeBand(kRadius + kOffset, 0.24, 0.04, 0.0, 0.01);
+  const auto surface = BuildGapField(body_.mesh, worn.worn, executor);
+  ASSERT_TRUE(surface.ok()) << surface.status().message();
+  const FitAssessment assessment = Assess(kRadius + kOffset, 0.04, &*surface);
+  const ZoneFit& hip = Zone(assessment, FitZone::kHip);
+  ASSERT_TRUE(hip.has_strain);
+  EXPECT_NEAR(hip.strain_mean, 0.04, 1e-3);
+  EXPECT_NEAR(hip.strain_p95, 0.04, 2e-3);
+  EXPECT_NEAR(hip.strain_angle, 0.0, 0.02);  // Round the body.
+  EXPECT_NEAR(hip.contact_share, 1.0, 1e-9);
+  EXPECT_NEAR(hip.gap_mean, kOffset, 5e-4);
+  const double expected = 3000.0 * 0.04 / (1.0 - 0.04 / 3.0) / (kRadius + kOffset);
+  EXPECT_NEAR(hip.laplace_pressure, expected, 0.05 * expected);
+  EXPECT_NEAR(hip.contact_pressure, expected, 0.05 * expected);
+  EXPECT_EQ(assessment.maps.strain.size(), band_.cloth.triangles.size());
+  EXPECT_EQ(assessment.maps.pressure.size(), band_.worn.size());
+  EXPECT_EQ(assessment.maps.gap.size(), band_.worn.size());
+}
+
+TEST_F(AssessFitTest, ClothThatHangsFreeDoesNotPress) {
+  SerialExecutor executor;
+  const Band worn = MakeBand(kRadius + 0.03, 0.24, 0.02, 0.0, 0.01);
+  const auto surface = BuildGapField(body_.mesh, worn.worn, executor);
+  ASSERT_TRUE(surface.ok());
+  const FitAssessment assessment = Assess(kRadius + 0.03, 0.02, &*surface);
+  EXPECT_EQ(Zone(assessment, FitZone::kHip).contact_share, 0.0);
+  EXPECT_EQ(Zone(assessment, FitZone::kHip).laplace_pressure, 0.0);
+  EXPECT_NEAR(Zone(assessment, FitZone::kHip).gap_mean, 0.03, 1e-3);
+  for (const double pressure : assessment.maps.pressure) EXPECT_EQ(pressure, 0.0);
+}
+
+TEST_F(AssessFitTest, WhatCannotBeMeasuredSaysWhy) {
+  body_.measurements.hip.height = 0.75;  // Below the skirt's hem.
+  body_.measurements.waist = {};
+  const FitAssessment assessment = Assess(kRadius, 0.0, nullptr);
+  EXPECT_FALSE(Zone(assessment, FitZone::kHip).measured);
+  EXPECT_EQ(Zone(assessment, FitZone::kHip).note, "the garment does not reach round the hip");
+  EXPECT_EQ(assessment.zones.size(), ZonesOf(GarmentKind::kSkirt).size());
+  VerdictInput input;
+  input.kind = GarmentKind::kSkirt;
+  input.fabric = *FindFabric("woven");
+  EXPECT_EQ(JudgeSize(input).verdict, FitVerdict::kUndecided);
+}
+
+}  // namespace
+}  // namespace fitroom
