@@ -17,6 +17,8 @@ constexpr double kLargestPlace = 100.0;    // Of start positions, from the origi
 constexpr double kProgress = 2e-4;         // A gap that shrank by less made no progress (unit: metre).
 constexpr double kMeasuringPitch = 0.004;  // Of the distance field that penetration is measured with (unit: metre).
 
+constexpr double kAirDrag = 12.0;  // That of the standard while cloth hangs (unit: 1/s).
+
 double MeanEdgeLength(const ClothMesh& mesh) {
   double sum = 0.0;
   for (const Eigen::Vector3i& triangle : mesh.triangles) {
@@ -363,6 +365,13 @@ Status CheckInput(const ClothMesh& mesh, std::span<const Eigen::Vector3d> start,
 
 }  // namespace
 
+PaperOptions RunnablePaperOptions() {
+  PaperOptions options;
+  options.motion.spring = SpringLaw::kSigned;
+  options.motion.air_drag = kAirDrag;
+  return options;
+}
+
 PaperOptions CorrectedPaperOptions() {
   PaperOptions options;
   options.masses = MassLaw::kLumped;
@@ -371,7 +380,7 @@ PaperOptions CorrectedPaperOptions() {
   options.motion.friction = FrictionLaw::kCoulomb;
   options.motion.pulling_up = PullingUpLaw::kFrictionOnce;
   options.motion.stitching.law = StitchingLaw::kSeamsOnly;
-  options.motion.air_drag = 12.0;
+  options.motion.air_drag = kAirDrag;
   options.collision.registration = Registration::kOverlap;
   options.collision.swept = true;
   options.collision.contact_offset = DrapeOptions().contact_offset;

@@ -56,6 +56,10 @@ struct PaperOptions {
   double patience = 1.0;  // Merging is given up after so long without a seam pair closed or nearer (unit: second).
 };
 
+// Returns the profile for those who want to see it at work: as printed, but for the two things without which it does
+// not end, springs that push when compressed, and a drag of the air.
+PaperOptions RunnablePaperOptions();
+
 // Returns the profile with every correction that is a one-line difference: signed springs, lumped masses, stiffness by
 // the edge, seam pairs alone pulled, Coulomb friction, registration by overlap, swept contact with the standard's
 // offset, friction once, and a drag of the air.
