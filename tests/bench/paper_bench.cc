@@ -97,7 +97,12 @@ std::vector<Difference> Differences() {
   };
 }
 
+// Sheets that slide without friction creep on for long while they count as being at rest: wait ten times as strictly.
+constexpr double kStrictRest = 0.0018;  // (unit: m/s)
+
 DrapeOptions WithoutExtras(DrapeOptions options) {
+  options.rest_speed = kStrictRest;
+  options.rest_speed_of_99_percent = kStrictRest;
   options.friction_coefficient = 0.0;
   options.stitching_friction_coefficient = 0.0;
   options.contact_offset = 0.0005;
@@ -114,8 +119,9 @@ PaperOptions Base(const PaperFrame& frame) {
   options.motion.friction = FrictionLaw::kPrinted;
   options.motion.stitching.law = StitchingLaw::kPrinted;
   options.collision.contact_offset = 0.0;
+  options.rest.speed = kStrictRest;
   options.merging_step_limit = 30000;
-  options.draping_step_limit = 30000;
+  options.draping_step_limit = 40000;
   return options;
 }
 
@@ -126,8 +132,9 @@ PaperOptions NearlyPrinted(const PaperFrame& frame) {
   options.motion.frame = frame;
   options.motion.spring = SpringLaw::kSigned;
   options.motion.air_drag = 12.0;
+  options.rest.speed = kStrictRest;
   options.merging_step_limit = 30000;
-  options.draping_step_limit = 30000;
+  options.draping_step_limit = 40000;
   return options;
 }
 
