@@ -10,8 +10,8 @@ namespace {
 using Eigen::Vector2d;
 
 const Rgb kCloth(46, 78, 92);
-const Rgb kPetal(232, 214, 186);
-const Rgb kHeart(206, 104, 74);
+const Rgb kPetal(236, 178, 92);
+const Rgb kHeart(158, 66, 48);
 const Rgb kLeaf(98, 140, 128);
 constexpr double kFacing = 1.2;  // (unit: centimetre)
 

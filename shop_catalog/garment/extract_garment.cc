@@ -13,13 +13,15 @@
 #include "shop_catalog/garment/drawing.h"
 #include "shop_catalog/garment/kind_frame.h"
 #include "shop_catalog/garment/measures.h"
+#include "shop_catalog/garment/side_folded.h"
 #include "shop_catalog/garment/texture.h"
 #include "shop_catalog/garment/view_extraction.h"
 
 namespace fitroom::shop_catalog {
 namespace {
 
-constexpr double kMaxViewMismatch = 0.25;  // Front against back, part of the larger.
+constexpr double kMaxViewMismatch = 0.25;   // Front against back, part of the larger.
+constexpr double kMaxChartMismatch = 0.30;  // Chart against photograph, part of the larger.
 
 std::string Centimetres(double length) {
   char text[32];
@@ -28,11 +30,6 @@ std::string Centimetres(double length) {
 }
 
 Status CheckStatement(const ExtractionRequest& request) {
-  if (request.kind != GarmentKind::kTShirt && request.annotation == nullptr) {
-    return Status(StatusCode::kUnimplemented, "KIND_NOT_SUPPORTED",
-                  "the points of a " + std::string(GarmentKindName(request.kind)) +
-                      " are not detected yet; give them as an annotation");
-  }
   const KindEnds& ends = EndsOf(request.kind);
   const std::string from_to = "from the " + std::string(ends.upper) + " to the " + std::string(ends.lower);
   if (request.length == 0.0) {
@@ -47,6 +44,9 @@ Status CheckStatement(const ExtractionRequest& request) {
   }
   if (request.front_photo.empty()) {
     return InvalidArgument("PHOTO_MISSING", "the front photograph is missing");
+  }
+  if (!request.side_folded_photo.empty() && !HasLegs(request.kind)) {
+    return InvalidArgument("SIDE_FOLDED_WITHOUT_LEGS", "a side-folded photograph can only be given of pants or shorts");
   }
   return {};
 }
@@ -80,7 +80,7 @@ Status CheckViewsMatch(GarmentKind kind, const GarmentView& front, const Garment
 // Names the view's files and adds them to the extraction.
 void AddFiles(std::string_view photo_bytes, ViewExtraction& extraction, std::vector<GarmentFile>& files) {
   GarmentView& view = extraction.view;
-  const std::string base = view.side == GarmentSide::kFront ? "front" : "back";
+  const std::string base(GarmentSideName(view.side));
   const Result<ImageHeader> header = ReadImageHeader(photo_bytes);
   FR_CHECK(header.ok());  // It has been decoded before.
   view.photo_file = base + "." + std::string(ImageFormatExtension(header->format));
@@ -93,39 +93,82 @@ void AddFiles(std::string_view photo_bytes, ViewExtraction& extraction, std::vec
       {view.texture_file, EncodePng(CarryColoursOn(extraction.photo, extraction.mask, view.outline, edge))});
 }
 
+// What the shop states stands in for what folding hides; where both are known they must not contradict each other.
+Status TakeStatement(const ExtractionRequest& request, Garment& garment) {
+  if (request.statement == nullptr) return {};
+  const std::vector<GarmentMeasure> found = garment.measures;
+  ApplyShopStatement(*request.statement, garment);
+  const GarmentSize* size = FindSize(garment.chart, garment.chart.photographed_size);
+  if (size == nullptr) return {};
+  for (const GarmentMeasure& stated : size->measures) {
+    const GarmentMeasure* seen = FindMeasure(found, stated.name);
+    if (seen != nullptr && seen->provenance == Provenance::kMeasured && seen->value > 0.0 &&
+        std::abs(seen->value - stated.value) > kMaxChartMismatch * std::max(seen->value, stated.value)) {
+      return FailedPrecondition("CHART_DOES_NOT_MATCH", "the chart's " + stated.name + " of size " + size->name + ", " +
+                                                            Centimetres(stated.value) +
+                                                            ", is not what the photographs show (" +
+                                                            Centimetres(seen->value) +
+                                                            "); widths are flat, half a girth; check the chart, the "
+                                                            "photographed size and the length");
+    }
+    // What neither photographs nor tape gave, the chart's row does.
+    for (GarmentMeasure& measure : garment.measures) {
+      if (measure.name == stated.name && measure.provenance == Provenance::kUnknown) {
+        measure = {stated.name, stated.value, Provenance::kStated};
+      }
+    }
+  }
+  return {};
+}
+
 Result<GarmentExtraction> ExtractOrThrow(const ExtractionRequest& request) {
   FR_RETURN_IF_ERROR(CheckStatement(request));
-  static const std::vector<OutlinePoint> kNoPoints;
-  const auto& front_points = request.annotation != nullptr ? request.annotation->front : kNoPoints;
-  const auto& back_points = request.annotation != nullptr ? request.annotation->back : kNoPoints;
-  FR_ASSIGN_OR_RETURN(ViewExtraction front,
-                      ExtractView(request.front_photo, GarmentSide::kFront, request.kind, front_points));
+  const PointAnnotation* given = request.annotation;
+  ViewRequest wanted = {request.front_photo, GarmentSide::kFront, request.kind, request.length,
+                        given != nullptr ? &given->front : nullptr};
+  FR_ASSIGN_OR_RETURN(ViewExtraction front, ExtractView(wanted));
   FR_RETURN_IF_ERROR(Cancelled(request));
-  front.view.metre_per_pixel = request.length / front.length_px;
-  std::optional<ViewExtraction> back;
+  wanted.kind = front.kind;
+  std::optional<ViewExtraction> back, side_folded;
   if (!request.back_photo.empty()) {
-    FR_ASSIGN_OR_RETURN(back, ExtractView(request.back_photo, GarmentSide::kBack, request.kind, back_points));
-    back->view.metre_per_pixel = request.length / back->length_px;
-    FR_RETURN_IF_ERROR(CheckViewsMatch(request.kind, front.view, back->view));
+    wanted.photo = request.back_photo;
+    wanted.side = GarmentSide::kBack;
+    wanted.annotation = given != nullptr ? &given->back : nullptr;
+    FR_ASSIGN_OR_RETURN(back, ExtractView(wanted));
+    FR_RETURN_IF_ERROR(CheckViewsMatch(front.kind, front.view, back->view));
+    FR_RETURN_IF_ERROR(Cancelled(request));
+  }
+  if (!request.side_folded_photo.empty()) {
+    wanted.photo = request.side_folded_photo;
+    wanted.side = GarmentSide::kSideFolded;
+    wanted.annotation = given != nullptr ? &given->side_folded : nullptr;
+    FR_ASSIGN_OR_RETURN(side_folded, ExtractView(wanted));
     FR_RETURN_IF_ERROR(Cancelled(request));
   }
 
   GarmentExtraction result;
   AddFiles(request.front_photo, front, result.files);
   if (back) AddFiles(request.back_photo, *back, result.files);
+  if (side_folded) AddFiles(request.side_folded_photo, *side_folded, result.files);
   FR_RETURN_IF_ERROR(Cancelled(request));
   Garment& garment = result.garment;
   garment.id = request.id;
   garment.title = request.title;
-  garment.kind = request.kind;
+  garment.kind = front.kind;
   garment.length = request.length;
-  garment.measures = MeasureGarment(request.kind, front.view, back ? &back->view : nullptr);
+  garment.measures = MeasureGarment(front.kind, front.view, back ? &back->view : nullptr);
   garment.front = std::move(front.view);
   result.front = front.confidence;
   if (back) {
     garment.back = std::move(back->view);
     result.back = back->confidence;
   }
+  if (side_folded) {
+    MeasureSideFolded(side_folded->view, garment.measures);
+    garment.side_folded = std::move(side_folded->view);
+    result.side_folded = side_folded->confidence;
+  }
+  FR_RETURN_IF_ERROR(TakeStatement(request, garment));
   const Status valid = ValidateGarment(garment);
   if (!valid.ok() && request.annotation == nullptr && valid.reason().starts_with("POINT")) {
     return FailedPrecondition("LOW_CONFIDENCE", "the points found contradict each other (" + valid.message() +

@@ -19,7 +19,7 @@ struct ExtractionRequest {
   std::string id;     // [a-z0-9-]{1,63}
   std::string title;  // For people; may be empty.
   GarmentKind kind = GarmentKind::kTShirt;
-  double length = 0.0;                          // From the highest shoulder point to the hem, flat (unit: metre).
+  double length = 0.0;                          // From neck ends or waist to the hem, flat (unit: metre).
   std::string_view front_photo;                 // JPEG, PNG or WebP, as received.
   std::string_view back_photo;                  // Empty: the garment has no back view.
   std::string_view side_folded_photo = {};      // Of a bottom with legs; empty: none.
@@ -45,15 +45,18 @@ struct GarmentExtraction {
   std::vector<GarmentFile> files;
   ViewConfidence front;
   std::optional<ViewConfidence> back;
+  std::optional<ViewConfidence> side_folded;
 };
 
-// Finds mask, outline, the 22 points, scale and measures of a top in its photographs. Thread-safe; one core; about
-// a second a pair, at most about 400 MB for the largest allowed photographs.
+// Finds mask, outline, points, scale and measures of a garment of any kind in its photographs. A one_piece is returned
+// as one_piece_sleeved where it has sleeves. What folding hides of a bottom with legs is unknown unless it is stated or
+// a side-folded photograph shows it. Thread-safe; one core; about a second a pair, at most about 400 MB for the largest
+// allowed photographs.
 //
 // Refuses with a reason and a remedy: what DecodeImage() says of each photograph; INVALID_ARGUMENT LENGTH_MISSING,
-// LENGTH_OUT_OF_RANGE (30 to 120 cm), IMAGE_TOO_SMALL, POINT_… and POINTS_SWAPPED for an annotation;
-// UNIMPLEMENTED KIND_NOT_SUPPORTED; FAILED_PRECONDITION NO_GARMENT_FOUND, GARMENT_CROPPED, WRONG_KIND,
-// VIEWS_DO_NOT_MATCH, LOW_CONFIDENCE; CANCELLED.
+// LENGTH_OUT_OF_RANGE (by kind), PHOTO_MISSING, SIDE_FOLDED_WITHOUT_LEGS, IMAGE_TOO_SMALL, POINT_… and POINTS_SWAPPED
+// for an annotation; FAILED_PRECONDITION NO_GARMENT_FOUND, GARMENT_CROPPED, WRONG_KIND, NOT_SIDE_FOLDED,
+// VIEWS_DO_NOT_MATCH, CHART_DOES_NOT_MATCH, LOW_CONFIDENCE; CANCELLED; what ValidateGarment() says of a chart.
 Result<GarmentExtraction> ExtractGarment(const ExtractionRequest& request);
 
 }  // namespace fitroom::shop_catalog

@@ -325,7 +325,11 @@ cv::Mat RefineCoverage(const cv::Mat& rgb, const cv::Mat& mask) {
         const double by_colour =
             (colours.at<cv::Vec3f>(y, x) - outside.at<cv::Vec3f>(y, x)).dot(difference) / squared_contrast;
         // Trust in colour grows from none at a contrast of 10 grey levels to full at 50.
-        const double trust = std::clamp((std::sqrt(squared_contrast) - 10.0) / 40.0, 0.0, 1.0);
+        const double contrast_trust = std::clamp((std::sqrt(squared_contrast) - 10.0) / 40.0, 0.0, 1.0);
+        // A print of a third colour says nothing about coverage: trust ends 60 grey levels off the line between both.
+        const cv::Vec3f off_line =
+            colours.at<cv::Vec3f>(y, x) - outside.at<cv::Vec3f>(y, x) - static_cast<float>(by_colour) * difference;
+        const double trust = contrast_trust * std::clamp((60.0 - cv::norm(off_line)) / 35.0, 0.0, 1.0);
         value = trust * std::clamp(by_colour, 0.0, 1.0) + (1.0 - trust) * by_mask;
       }
       coverage.at<uint8_t>(y, x) = cv::saturate_cast<uint8_t>(255.0 * value);

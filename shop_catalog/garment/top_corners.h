@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "common/garment/garment.h"
 #include "common/garment/polygon.h"
 
 namespace fitroom::shop_catalog {
@@ -28,17 +29,11 @@ struct TopCorners {
   std::array<double, kTopCornerCount> confidence{};  // 0 to 1.
   double tilt = 0.0;    // Of the garment against upright, positive clockwise on the screen (unit: radian).
   double height = 0.0;  // Of the silhouette along the garment's own axis (unit: pixel).
-  double cost = 0.0;    // Of the best chain, per corner: below about 1.5 for tops, above 3 for other kinds.
+  double cost = 0.0;    // Of the best chain, per corner: below about 1.5 for the right kind, above 3 for others.
 };
 
-// Finds the corners of a top on its outline (clockwise, upright within 40 degrees). Which corner is which is decided
-// for all ten together, by a chain of least cost over the outline: each corner has an expected turn and place, each
-// piece between two corners an expected direction, length and straightness. Where each lies is then decided locally, at
-// the sharpest turn. Nothing if the outline is too short.
-std::optional<TopCorners> FindTopCorners(const Polygon& outline);
-
-// Returns the cost of the best chain alone, from a coarser search: for choosing between outlines. Infinite if there is
-// none.
-double TopShapeCost(const Polygon& outline);
+// Finds the corners of a shirt or dress on its outline (clockwise, upright within 40 degrees): see MatchCorners(). On a
+// sleeveless dress the sleeve's corners are the shoulder tip. Nothing if the outline is too short.
+std::optional<TopCorners> FindTopCorners(const Polygon& outline, GarmentKind kind = GarmentKind::kTShirt);
 
 }  // namespace fitroom::shop_catalog

@@ -16,9 +16,8 @@ namespace {
 // the shoulder's highest point, a body's waist about 42 cm and its hips about 62 cm.
 constexpr double kWaistPart = 0.42;
 constexpr double kHipPart = 0.85;
-constexpr double kShoulderAtNeck = 0.022;  // From the neck end along the shoulder, part of the height: about 1.5 cm.
-constexpr double kArmholePart = 0.9;       // Where the armhole seam meets the shoulder: part of the underarm's distance
-                                           // from the middle.
+constexpr double kLeastOfPerimeter = 0.007;  // That far at least, so that the two are told apart on the way round.
+constexpr double kShoulderAtNeck = 0.022;    // From the neck end along the shoulder, part of the height: about 1.5 cm.
 
 // One side of the garment as the image shows it, left or right, with the garment's own axes.
 class Half {
@@ -66,8 +65,8 @@ class Half {
   }
 
   // The shoulder tip: the outline's bend above the armhole, looked for near where the armhole seam usually ends.
-  OutlinePoint ShoulderTip(const std::string& name) const {
-    const double expected = kArmholePart * Out(Pixel(kUnderarmLeft));
+  OutlinePoint ShoulderTip(const std::string& name, double armhole_part) const {
+    const double expected = armhole_part * Out(Pixel(kUnderarmLeft));
     const double spread = 0.05 * corners_.height;
     const int arm = std::max(2, static_cast<int>(std::lround(0.05 * corners_.height / outline_.step())));
     // Never at the neck: a shoulder is at least 4 cm long.
@@ -134,7 +133,7 @@ Polygon JoinNeckline(const Polygon& silhouette, const TopCorners& corners, const
 }
 
 std::vector<OutlinePoint> PlaceTopPoints(const Polygon& outline, const TopCorners& corners, const Neckline& neckline,
-                                         GarmentSide side) {
+                                         GarmentSide side, double armhole_part) {
   const SampledOutline fine(outline, std::max(0.5, 0.002 * corners.height));
   std::map<std::string, OutlinePoint> points;
   const auto add = [&](OutlinePoint point) { points[point.name] = std::move(point); };
@@ -147,9 +146,11 @@ std::vector<OutlinePoint> PlaceTopPoints(const Polygon& outline, const TopCorner
       add({names[i], half.Pixel(corner), half.Confidence(corner)});
     }
     const std::string suffix = wearers_left ? "_L" : "_R";
-    const OutlinePoint at_neck = {wearers_left ? "e1" : "e5", half.FromNeck(kShoulderAtNeck * corners.height),
-                                  half.Confidence(kNeckLeft)};
-    const OutlinePoint tip = half.ShoulderTip(wearers_left ? "e3" : "e7");
+    const OutlinePoint at_neck = {
+        wearers_left ? "e1" : "e5",
+        half.FromNeck(std::max(kShoulderAtNeck * corners.height, kLeastOfPerimeter * fine.length())),
+        half.Confidence(kNeckLeft)};
+    const OutlinePoint tip = half.ShoulderTip(wearers_left ? "e3" : "e7", armhole_part);
     add(half.Halfway(wearers_left ? "e2" : "e6", at_neck, tip));
     add(at_neck);
     add(tip);

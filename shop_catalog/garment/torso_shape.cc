@@ -50,7 +50,7 @@ Levels LevelsOf(GarmentKind kind, double underarm, double length) {
 // The sleeve hangs from the shoulder tip: short ones stand out, long ones lie along the body.
 void LayOutSleeve(const std::vector<GarmentMeasure>& measures, const Vector2d& tip, GarmentShape& shape) {
   const bool is_long = shape.kind == GarmentKind::kLongSleeve;
-  shape.sleeve_axis = is_long ? Vector2d(0.5, 0.866) : Vector2d(0.839, 0.545);
+  shape.sleeve_axis = is_long ? Vector2d(0.6, 0.8) : Vector2d(0.839, 0.545);
   const Vector2d inwards(-shape.sleeve_axis.y(), shape.sleeve_axis.x());
   const Vector2d top = tip + Cm(measures, "sleeve_length") * shape.sleeve_axis;
   // The end is cut a little aslant.
@@ -62,7 +62,9 @@ void LayOutSleeve(const std::vector<GarmentMeasure>& measures, const Vector2d& t
 void PlacePoints(const Levels& levels, GarmentShape& shape) {
   const Vector2d neck_end = shape.front_neckline.back();
   const Vector2d tip = shape.armhole.front();
-  const Vector2d at_neck = neck_end + 1.5 * (tip - neck_end).normalized();
+  // Told apart from the neck end on the way round even of long sleeves.
+  const double off = std::max(1.5, 0.007 * CurveLength(shape.outline));
+  const Vector2d at_neck = neck_end + off * (tip - neck_end).normalized();
   std::map<std::string, Vector2d> points;
   // The wearer's left is on a front's right.
   const auto set = [&](const std::string& left_name, const Vector2d& on_right) {

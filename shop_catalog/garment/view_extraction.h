@@ -12,16 +12,24 @@ namespace fitroom::shop_catalog {
 
 // One photograph's part of an extraction.
 struct ViewExtraction {
-  GarmentView view;  // Valid but for the scale, which LengthInPixels() decides, and the file names.
-  Image photo;       // RGB, working size.
-  Image mask;        // Grey, working size; 255 = garment, the visible inside of the back neck included.
+  GarmentKind kind = GarmentKind::kTShirt;  // As stated, but a one_piece may turn out to have sleeves.
+  GarmentView view;                         // Valid but for the file names.
+  Image photo;                              // RGB, working size.
+  Image mask;  // Grey, working size; 255 = garment, the visible inside of the back neck included.
   ViewConfidence confidence;
-  double length_px = 0.0;  // Neck ends to hem (unit: pixel).
+  double length_px = 0.0;  // Neck ends or waist to hem (unit: pixel).
 };
 
-// Finds mask, outline and points in one photograph. `annotation` may be empty. Fails as ExtractGarment() does; never
-// throws.
-Result<ViewExtraction> ExtractView(std::string_view photo_bytes, GarmentSide side, GarmentKind kind,
-                                   const std::vector<OutlinePoint>& annotation);
+// What is known before a photograph is looked at.
+struct ViewRequest {
+  std::string_view photo;
+  GarmentSide side = GarmentSide::kFront;
+  GarmentKind kind = GarmentKind::kTShirt;
+  double length = 0.0;                                    // As stated (unit: metre).
+  const std::vector<OutlinePoint>* annotation = nullptr;  // Null or empty: the points are to be found.
+};
+
+// Finds mask, outline, points and scale in one photograph. Fails as ExtractGarment() does; never throws.
+Result<ViewExtraction> ExtractView(const ViewRequest& request);
 
 }  // namespace fitroom::shop_catalog

@@ -172,9 +172,15 @@ TEST(ExtractGarment, RefusesAStatementThatCannotBe) {
     EXPECT_EQ(ExtractGarment(request).status().reason(), "LENGTH_OUT_OF_RANGE") << length;
   }
   request.length = 0.68;
-  for (const GarmentKind kind : {GarmentKind::kPants, GarmentKind::kSkirt, GarmentKind::kOnePiece}) {
+  request.side_folded_photo = photo;
+  EXPECT_EQ(ExtractGarment(request).status().reason(), "SIDE_FOLDED_WITHOUT_LEGS");
+  request.side_folded_photo = {};
+  // Every kind has its own lengths.
+  for (const auto& [kind, length] : {std::pair(GarmentKind::kPants, 0.4), std::pair(GarmentKind::kShorts, 0.9),
+                                     std::pair(GarmentKind::kSkirt, 1.3), std::pair(GarmentKind::kOnePiece, 0.45)}) {
     request.kind = kind;
-    EXPECT_EQ(ExtractGarment(request).status().reason(), "KIND_NOT_SUPPORTED");
+    request.length = length;
+    EXPECT_EQ(ExtractGarment(request).status().reason(), "LENGTH_OUT_OF_RANGE") << length;
   }
   EXPECT_EQ(ExtractGarment(RequestFor("")).status().reason(), "PHOTO_MISSING");
 }

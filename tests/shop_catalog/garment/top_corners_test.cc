@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "shop_catalog/garment/measures.h"
+#include "shop_catalog/garment/shape_check.h"
 #include "tests/shop_catalog/garment/drawn_tshirt.h"
 #include "tests/support/sample_garment.h"
 
@@ -57,9 +58,9 @@ TEST(FindTopCorners, OtherShapesCostMore) {
   };
   const Polygon square = {{0, 0}, {400, 0}, {400, 500}, {0, 500}};
   const Polygon trousers = {{220, 60}, {380, 60}, {410, 540}, {320, 540}, {300, 220}, {280, 540}, {190, 540}};
-  EXPECT_GT(TopShapeCost(dense(square)), 3.6);
-  EXPECT_GT(TopShapeCost(dense(trousers)), 3.6);
-  EXPECT_LT(TopShapeCost(dense(testing::DrawTShirt({.image_side = 8}).silhouette)), 1.5);
+  EXPECT_GT(ShapeCostOf(dense(square), GarmentKind::kTShirt), 3.6);
+  EXPECT_GT(ShapeCostOf(dense(trousers), GarmentKind::kTShirt), 3.6);
+  EXPECT_LT(ShapeCostOf(dense(testing::DrawTShirt({.image_side = 8}).silhouette), GarmentKind::kTShirt), 1.5);
 }
 
 // The sample's corners are round numbers: half widths of 240 (chest, hem), 80 (neck), 210 (shoulders) millimetres.
