@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 #include "common/base/check.h"
 
 namespace fitroom::panels {
@@ -27,6 +29,11 @@ double Ratio(const MeasureMap& measures, const Increments& increments, const std
   return measured > 0.0 ? std::max(0.1, 1.0 + Of(increments, name) / measured) : 1.0;
 }
 
+// From a to b, counter-clockwise positive (unit: radian).
+double AngleBetween(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+}
+
 // The names of the cardinal points of one side of a top.
 struct TopNames {
   std::string neck, neck_shoulder, tip, sleeve_top, sleeve_bottom, underarm, waist, hip, hem;
@@ -41,6 +48,59 @@ TopNames NamesOf(GarmentKind kind, bool left) {
     names.sleeve_top = "sleeve_top" + end;
   }
   return names;
+}
+
+// The sleeve's end once it is moved.
+struct SleeveEnd {
+  Eigen::Vector2d top, bottom;
+};
+
+// The step of a section's outline that leaves its corner: to the next sample, and how many there are to `other`.
+struct Departure {
+  Eigen::Vector2d step = Eigen::Vector2d::Zero();
+  double count = 1.0;
+};
+
+Departure Leaving(const PanelPattern& panel, const std::string& section_name, const std::string& corner,
+                  const std::string& other) {
+  const OutlineSection* section = FindSection(panel, section_name);
+  FR_CHECK(section != nullptr && section->points.size() >= 2);
+  const bool first = section->knots.front().name == corner;
+  const std::vector<Eigen::Vector2d>& points = section->points;
+  int from = 0, to = 0;
+  for (const SectionKnot& knot : section->knots) {
+    if (knot.name == corner) from = knot.index;
+    if (knot.name == other) to = knot.index;
+  }
+  const Eigen::Vector2d next = first ? points[1] : points[points.size() - 2];
+  return {next - points[static_cast<size_t>(from)], std::max(1.0, std::abs(static_cast<double>(to - from)))};
+}
+
+// Turns a sleeve's end outwards about the shoulder tip until its underside leaves the side seam at 6 degrees, or at the
+// photographed angle if that is less: a chest that grows faster than the shoulder pushes the underarm out beneath the
+// sleeve. How a sleeve lies is no measure. `underside` is the first step from the underarm, `side` that of the moved
+// side seam.
+SleeveEnd MakeRoom(const SleeveEnd& end, const Eigen::Vector2d& tip, const Eigen::Vector2d& bottom_before,
+                   const Eigen::Vector2d& underarm_move, const Departure& underside, const Eigen::Vector2d& side_before,
+                   const Eigen::Vector2d& side_after, bool left) {
+  constexpr double kLeastRoom = 0.105, kMostTurn = 0.7;  // (unit: radian)
+  const double sign = left ? 1.0 : -1.0;
+  const double least = std::min(kLeastRoom, sign * AngleBetween(side_before, underside.step));
+  const auto turned = [&](double angle) {
+    const Eigen::Rotation2Dd turn(sign * angle);
+    return SleeveEnd{tip + turn * (end.top - tip), tip + turn * (end.bottom - tip)};
+  };
+  const auto room = [&](const SleeveEnd& tried) {
+    const Eigen::Vector2d step = underside.step + (tried.bottom - bottom_before - underarm_move) / underside.count;
+    return sign * AngleBetween(side_after, step);
+  };
+  if (room(end) >= least) return end;
+  double low = 0.0, high = kMostTurn;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = 0.5 * (low + high);
+    (room(turned(middle)) < least ? low : high) = middle;
+  }
+  return turned(high);
 }
 
 // One side of a top. Widths move half of their increment outwards; the shoulder keeps its slope; the armhole's depth
@@ -85,8 +145,15 @@ void MoveTopSide(const GarmentPattern& pattern, const MeasureMap& measures, cons
   const Eigen::Vector2d& top = At(front, names.sleeve_top);
   const Eigen::Vector2d& bottom = At(front, names.sleeve_bottom);
   const Eigen::Vector2d top_move = tip_move + Of(add, "sleeve_length") * (top - tip).normalized();
-  moves.shared[names.sleeve_top] = top_move;
-  moves.shared[names.sleeve_bottom] = top_move + Of(add, "sleeve_opening") * (bottom - top).normalized();
+  const Eigen::Vector2d bottom_move = top_move + Of(add, "sleeve_opening") * (bottom - top).normalized();
+  const std::string end_name = left ? "_L" : "_R";
+  const Departure side = Leaving(front, "side" + end_name, names.underarm, names.waist);
+  const Eigen::Vector2d side_after = side.step + (moves.shared[names.waist] - underarm_move) / side.count;
+  const SleeveEnd end = MakeRoom({top + top_move, bottom + bottom_move}, tip + tip_move, bottom, underarm_move,
+                                 Leaving(front, "underside" + end_name, names.underarm, names.sleeve_bottom), side.step,
+                                 side_after, left);
+  moves.shared[names.sleeve_top] = end.top - top;
+  moves.shared[names.sleeve_bottom] = end.bottom - bottom;
 }
 
 GradeMoves TopMoves(const GarmentPattern& pattern, const MeasureMap& measures, const Increments& add) {
