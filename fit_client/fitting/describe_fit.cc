@@ -77,7 +77,7 @@ void DescribeInputs(const BodyInput& body, const Garment& garment, const CutGarm
   report.notes = cut.notes;
 }
 
-void DescribeOutcome(const DressTopResult& dressed, const DrapeOptions& options, FitReport& report) {
+void DescribeOutcome(const Dressing& dressed, const DrapeOptions& options, FitReport& report) {
   const DrapeReport& drape = dressed.report;
   report.finished = drape.outcome == DrapeOutcome::kAtRest && drape.touching_condition_met;
   switch (drape.outcome) {
@@ -101,11 +101,18 @@ void DescribeOutcome(const DressTopResult& dressed, const DrapeOptions& options,
                            std::to_string(drape.seam_pair_count - drape.open_seam_count) + " of " +
                                std::to_string(drape.seam_pair_count) + " seam pairs closed",
                            drape.merging_substeps});
+  if (dressed.bottom) {
+    for (const std::string& sentence : dressed.bottom->sentences) report.notes.push_back(sentence);
+    report.stages.push_back({"pulled up", std::string(PullEndName(drape.pull_end)), drape.pulling_substeps});
+    report.stages.push_back({"belted", "waist held", drape.belting_substeps});
+    report.residuals.push_back(
+        {"outseams to their length at rest", "outseam_residual", drape.length_residual, options.length_tolerance, "1"});
+  }
   report.stages.push_back({"gravity", std::string(DrapeOutcomeName(drape.outcome)), drape.draping_substeps});
   if (dressed.shoulder_point_count > 0) {
     report.residuals.push_back(
         {"shoulder points to body", "shoulder_distance", drape.touching_distance_max, options.touching_distance, "m"});
-  } else {
+  } else if (!dressed.bottom) {
     report.notes.push_back("every shoulder point of the garment drops to the arm; only rest ended the fit");
   }
   report.residuals.push_back(

@@ -7,6 +7,19 @@
 #include "fit_client/fitting/judge_fit.h"
 
 namespace fitroom {
+namespace {
+
+DressingFacts FactsOf(const Dressing& dressed) {
+  DressingFacts facts;
+  if (dressed.report.outcome == DrapeOutcome::kSeamsOpen) facts.open_gap = dressed.report.final_seam_gap_max;
+  if (dressed.bottom) {
+    facts.rise_short = dressed.bottom->rise_short;
+    facts.is_belted = dressed.bottom->belt.ease() > 0.0;
+  }
+  return facts;
+}
+
+}  // namespace
 
 Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers, const FitOptions& options,
                          Executor& executor, Stopwatch& stopwatch, const ProgressSink& progress) {
@@ -19,6 +32,7 @@ Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers
   FR_ASSIGN_OR_RETURN(outfit.body_surface, RepairBody(body.body.mesh));
   stopwatch.Lap("body without holes");
 
+  std::vector<WornGarment> worn_already;
   const double share = 0.8 / static_cast<double>(layers.size());
   for (const Layer& layer : layers) {
     const double begin = share * static_cast<double>(outfit.garments.size());
@@ -34,18 +48,25 @@ Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers
     stopwatch.Lap("panels");
 
     const auto dressing = [&](double done) { report_progress("dressing", begin + share * (0.05 + 0.95 * done)); };
-    Result<DressTopResult> dressed =
-        DressTop(worn.cut.cloth, body.body, outfit.body_surface, options.dressing, executor, dressing);
+    Result<Dressing> dressed =
+        DressGarment(worn.cut.cloth, garment.kind, {body.body, outfit.body_surface, worn_already}, options.dressing,
+                     executor, dressing);
     if (!dressed.ok()) return dressed.status().At(garment.id);
     worn.stages = std::move(dressed->stages);
     stopwatch.Lap("dressing");
 
     DescribeOutcome(*dressed, options.dressing.drape, worn.report);
     DescribeEase(body.body.measurements, outfit.body_surface, worn);
-    JudgeWorn(body.body, DressingFacts(), worn);
+    JudgeWorn(body.body, FactsOf(*dressed), worn);
     JudgeChart(body.body, worn);
-    outfit.garments.push_back(std::move(worn));
     stopwatch.Lap("measuring");
+    if (&layer != &layers.back()) {
+      Result<WornGarment> closed = MakeWornGarment(garment.kind, worn.cut.cloth, worn.stages.final);
+      if (!closed.ok()) return closed.status().At(garment.id);
+      worn_already.push_back(std::move(closed).value());
+      stopwatch.Lap("closing what is worn");
+    }
+    outfit.garments.push_back(std::move(worn));
   }
   return outfit;
 }

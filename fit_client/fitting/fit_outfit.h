@@ -7,7 +7,7 @@
 #include "common/base/progress.h"
 #include "common/base/status.h"
 #include "fit_client/fit/measure/assess_fit.h"
-#include "fit_client/fit/stages/dress_top.h"
+#include "fit_client/fit/stages/dress_garment.h"
 #include "fit_client/fitting/cut_garment.h"
 #include "fit_client/fitting/fit_inputs.h"
 #include "fit_client/fitting/stopwatch.h"
@@ -23,7 +23,7 @@ struct Layer {
 
 struct FitOptions {
   double pitch = 0.01;  // Edge length of the cloth meshes (unit: metre).
-  DressTopOptions dressing;
+  DressingOptions dressing;
 };
 
 // A garment as it is worn.
@@ -43,7 +43,7 @@ struct Outfit {
 
 // Dresses `body` in `layers`, the innermost first, with the `standard` profile: repairs the body into a collider; cuts
 // each garment to its size, dresses it over what is worn already, and measures what came out. Fails like RepairBody(),
-// CutGarmentToSize() and DressTop(); the message names the garment. A garment that does not fit is no failure: its
+// CutGarmentToSize() and DressGarment(); the message names the garment. A garment that does not fit is no failure: its
 // report says how it ended. `layers` and what they point to must outlive the outfit.
 Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers, const FitOptions& options,
                          Executor& executor, Stopwatch& stopwatch, const ProgressSink& progress);

@@ -45,7 +45,7 @@ Result<SignedDistanceField> SignedDistanceField::Build(const TriangleMesh& body,
   return SignedDistanceFieldBuilder(body, options, executor).Build();
 }
 
-SignedDistanceField::Sample SignedDistanceField::Query(const Eigen::Vector3d& point) const {
+SignedDistanceField::Sample SignedDistanceField::QueryAlone(const Eigen::Vector3d& point) const {
   const Eigen::Vector3d inside = point.cwiseMax(region_.min()).cwiseMin(region_.max());
   const Eigen::Vector3d fine = (inside - region_.min()) / pitch_;
   const Eigen::Vector3i last_cell = brick_count_ * kBrickCells - Eigen::Vector3i::Ones();
@@ -82,8 +82,8 @@ SignedDistanceField::Sample SignedDistanceField::Query(const Eigen::Vector3d& po
   return sample;
 }
 
-double SignedDistanceField::ExactDistance(const Eigen::Vector3d& point) const {
-  const double interpolated = Distance(point);
+double SignedDistanceField::ExactDistanceAlone(const Eigen::Vector3d& point) const {
+  const double interpolated = QueryAlone(point).distance;
   if (!region_.contains(point)) return interpolated;
   const Eigen::Vector3d fine = (point - region_.min()) / pitch_;
   const Eigen::Vector3i brick = (fine / kBrickCells).cast<int>().cwiseMin(brick_count_ - Eigen::Vector3i::Ones());
@@ -104,7 +104,9 @@ double SignedDistanceField::ExactDistance(const Eigen::Vector3d& point) const {
 }
 
 size_t SignedDistanceField::memory_size() const {
-  return brick_slot_.size() * sizeof(int32_t) + brick_samples_.size() * sizeof(float) +
+  size_t united = 0;
+  for (const SignedDistanceField& other : united_) united += other.memory_size();
+  return united + brick_slot_.size() * sizeof(int32_t) + brick_samples_.size() * sizeof(float) +
          coarse_samples_.size() * sizeof(float) + surface_.memory_size() +
          (brick_triangles_begin_.size() + brick_triangles_.size()) * sizeof(uint32_t);
 }

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -41,13 +43,28 @@ class SignedDistanceField {
   static Result<SignedDistanceField> Build(const TriangleMesh& body, const SignedDistanceFieldOptions& options,
                                            Executor& executor);
 
+  // Adds another body: from now on the distance is that to the nearer of both, which is right outside of the two
+  // together, and negative inside of either. The region stays this field's own.
+  void Unite(SignedDistanceField other) { united_.push_back(std::move(other)); }
+
   // Returns the interpolated signed distance at `point`.
   double Distance(const Eigen::Vector3d& point) const { return Query(point).distance; }
   // Returns the interpolated signed distance at `point` and its gradient.
-  Sample Query(const Eigen::Vector3d& point) const;
+  Sample Query(const Eigen::Vector3d& point) const {
+    Sample nearest = QueryAlone(point);
+    for (const SignedDistanceField& other : united_) {
+      const Sample sample = other.Query(point);
+      if (sample.distance < nearest.distance) nearest = sample;
+    }
+    return nearest;
+  }
   // Returns the distance from the triangles themselves where `point` is within about 5 mm of the surface, and the
   // interpolated distance elsewhere.
-  double ExactDistance(const Eigen::Vector3d& point) const;
+  double ExactDistance(const Eigen::Vector3d& point) const {
+    double nearest = ExactDistanceAlone(point);
+    for (const SignedDistanceField& other : united_) nearest = std::min(nearest, other.ExactDistance(point));
+    return nearest;
+  }
 
   double pitch() const { return pitch_; }
   const Eigen::AlignedBox3d& region() const { return region_; }
@@ -64,6 +81,10 @@ class SignedDistanceField {
   static constexpr int kCoarsePerBrick = 2;  // Coarse cells along a brick's edge.
 
   SignedDistanceField() = default;
+
+  // Of this body without the united ones.
+  Sample QueryAlone(const Eigen::Vector3d& point) const;
+  double ExactDistanceAlone(const Eigen::Vector3d& point) const;
 
   size_t BrickIndex(const Eigen::Vector3i& brick) const {
     return static_cast<size_t>(brick.x()) +
@@ -89,6 +110,8 @@ class SignedDistanceField {
   SurfaceTriangles surface_;
   std::vector<uint32_t> brick_triangles_begin_;  // Per slot, plus one.
   std::vector<uint32_t> brick_triangles_;
+
+  std::vector<SignedDistanceField> united_;
 };
 
 }  // namespace fitroom

@@ -54,10 +54,17 @@ Status CheckInput(const ClothMesh& mesh, std::span<const Eigen::Vector3d> start,
       return InvalidArgument("SEAM_INDEX_OUT_OF_RANGE", "a seam pair names a vertex that does not exist");
     }
   }
-  for (const int vertex : options.touching_vertices) {
-    if (vertex < 0 || vertex >= vertex_count) {
-      return InvalidArgument("VERTEX_OUT_OF_RANGE", "a touching vertex does not exist");
-    }
+  const auto exist = [vertex_count](const std::vector<int>& vertices) {
+    return std::all_of(vertices.begin(), vertices.end(), [&](int v) { return v >= 0 && v < vertex_count; });
+  };
+  if (!exist(options.touching_vertices)) {
+    return InvalidArgument("VERTEX_OUT_OF_RANGE", "a touching vertex does not exist");
+  }
+  if (options.pull_up && (!exist(options.pull_up->crotch_vertices) || !exist(options.pull_up->edge_vertices))) {
+    return InvalidArgument("VERTEX_OUT_OF_RANGE", "a vertex of the crotch or of the waist does not exist");
+  }
+  if (!std::all_of(options.measured_chains.begin(), options.measured_chains.end(), exist)) {
+    return InvalidArgument("VERTEX_OUT_OF_RANGE", "a vertex of a measured chain does not exist");
   }
   if (!options.gravity.allFinite()) return InvalidArgument("GRAVITY_NOT_FINITE", "gravity is not finite");
   return Status();
@@ -73,10 +80,30 @@ std::string_view DrapeStageName(DrapeStage stage) {
       return "merging";
     case DrapeStage::kStitched:
       return "stitched";
+    case DrapeStage::kPulledUp:
+      return "pulled_up";
+    case DrapeStage::kBelted:
+      return "belted";
     case DrapeStage::kDraping:
       return "draping";
     case DrapeStage::kFinished:
       return "finished";
+  }
+  return "";
+}
+
+std::string_view PullEndName(PullEnd end) {
+  switch (end) {
+    case PullEnd::kNotPulled:
+      return "not_pulled";
+    case PullEnd::kCrotchContact:
+      return "crotch_contact";
+    case PullEnd::kEdgeAtHeight:
+      return "edge_at_height";
+    case PullEnd::kStuck:
+      return "stuck";
+    case PullEnd::kStepLimit:
+      return "step_limit";
   }
   return "";
 }

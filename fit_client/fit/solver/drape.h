@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@
 #include "fit_client/fit/cloth_mesh.h"
 #include "fit_client/fit/collision/signed_distance_field.h"
 #include "fit_client/fit/solver/cloth_model.h"
+#include "fit_client/fit/solver/cloth_solver.h"
 
 namespace fitroom {
 
@@ -21,11 +23,13 @@ enum class DrapeStage {
   kStart,     // Panels at their start positions.
   kMerging,   // Seam pairs are being drawn together; no gravity.
   kStitched,  // Closed pairs have just been welded.
+  kPulledUp,  // A bottom has come as far up as it goes, under antigravity.
+  kBelted,    // The belt holds the waist.
   kDraping,   // Gravity pulls the garment onto the body.
   kFinished,  // At rest, or out of steps.
 };
 
-// "start", "merging", "stitched", "draping", "finished".
+// "start", "merging", "stitched", "pulled_up", "belted", "draping", "finished".
 std::string_view DrapeStageName(DrapeStage stage);
 
 // How a run ended.
@@ -47,6 +51,35 @@ struct DrapeSnapshot {
 };
 // Called from the thread that drapes, at the start and end of each stage and some ten times in between.
 using DrapeObserver = std::function<void(const DrapeSnapshot&)>;
+
+// What ended the pulling up of a bottom.
+enum class PullEnd {
+  kNotPulled,      // There was nothing to pull.
+  kCrotchContact,  // The crotch met the groin from below.
+  kEdgeAtHeight,   // The waist's edge reached its height.
+  kStuck,          // Nothing rose any more: the garment is too narrow to come up farther.
+  kStepLimit,
+};
+
+// "not_pulled", "crotch_contact", "edge_at_height", "stuck", "step_limit".
+std::string_view PullEndName(PullEnd end);
+
+// Pulls a stitched bottom up under antigravity (equations 7 to 9): the whole cloth follows an upward wind. Vertices of
+// the mesh.
+struct PullUpOptions {
+  double speed = 0.25;               // Of the wind (unit: m/s).
+  std::vector<int> crotch_vertices;  // Contact of one of these with the body from below ends the pull,
+  double contact_distance = 0.007;   // which is a signed distance up to this (unit: metre).
+  std::vector<int> edge_vertices;    // The waist's edge; its mean height
+  double edge_height = 1e9;          // at this place ends the pull as well (unit: metre).
+  int substep_limit = 1200;          // Of 0.5 ms.
+};
+
+// Says where vertices of the mesh are to be held, once the garment is pulled up: `positions` holds one place a vertex.
+using AttachFunction = std::function<Result<std::vector<Attachment>>(std::span<const Eigen::Vector3d> positions)>;
+
+// A chain of vertices whose length is compared with its length at rest: an outseam of condition (11).
+using VertexChain = std::vector<int>;
 
 // How and when dressing ends. Rates are per second and sizes in metres, so that they fit any mesh.
 struct DrapeOptions {
@@ -78,6 +111,13 @@ struct DrapeOptions {
   // because a garment may still be sliding down. Whether the condition was met is reported.
   std::vector<int> touching_vertices;
   double touching_distance = 0.02;
+
+  // Bottoms, between sewing and gravity: first pulled up, then held. `attach` returns vertices with their targets.
+  std::optional<PullUpOptions> pull_up;
+  AttachFunction attach;
+  // Condition (11): the lengths of these chains differ from those at rest by less than this part, all together.
+  std::vector<VertexChain> measured_chains;
+  double length_tolerance = 0.005;  // (unit: 1)
 };
 
 // What happened, in numbers. Strain is that of an edge against its rest length, stretched positive.
@@ -87,6 +127,9 @@ struct DrapeReport {
 
   int merging_substeps = 0;
   int relaxing_substeps = 0;
+  int pulling_substeps = 0;
+  PullEnd pull_end = PullEnd::kNotPulled;
+  int belting_substeps = 0;
   int draping_substeps = 0;
   double simulated_seconds = 0.0;  // In which gravity acted.
 
@@ -102,6 +145,10 @@ struct DrapeReport {
   double share_at_rest = 0.0;  // Part of the particles slower than the rest speed.
   bool touching_condition_met = true;
   double touching_distance_max = 0.0;  // Largest distance of a touching vertex (unit: metre).
+
+  // Condition (11): sum |l - l0| / sum l0 over the measured chains, and whether it was met when the run ended.
+  double length_residual = 0.0;  // (unit: 1)
+  bool length_condition_met = true;
 
   double deepest_penetration = 0.0;  // Over particles and samples; 0 if none is inside (unit: metre).
   int particles_inside = 0;
@@ -120,7 +167,8 @@ struct DrapeResult {
 };
 
 // Dresses `body` in `mesh`, from `start_positions` (one a vertex of the mesh), in the frame of the body: draws seam
-// pairs together without gravity, strongly damped; welds the closed ones; lets gravity act until the cloth is at rest.
+// pairs together without gravity, strongly damped; welds the closed ones; pulls a bottom up and holds its waist, where
+// the options say so; lets gravity act until the cloth is at rest.
 // Always ends: every stage has a step limit, and a garment that does not close ends with that outcome.
 // The same result for any executor.
 // INVALID_ARGUMENT for empty, mismatched, non-finite or out-of-range input; INTERNAL if the state stops being finite.

@@ -26,6 +26,12 @@ constexpr int kPatientRestWindows = 12;
 constexpr int kRaisingWindows = 60;
 constexpr int kTangledRestWindows = 60;  // The same where cloth still passes through cloth,
 constexpr int kOffBodyRestWindows = 60;  // or where a vertex that has to touch the body does not.
+constexpr int kPullInterval = 16;        // Substeps between looks at crotch and waist while pulling up.
+constexpr int kPullPatience = 12;        // So many looks without
+constexpr double kPullProgress = 2e-4;   // this much of a rise (unit: metre) and the garment is stuck.
+constexpr double kFromBelow = 0.4;       // The body's normal points down by more than this share at the groin.
+constexpr int kLongestBelting = 1200;    // Substeps for the waist's way to the belt,
+constexpr int kSettlingAfterBelt = 192;  // and for the cloth below to follow.
 
 // The mean edge of the mesh, within what the steps were tuned on (unit: metre).
 double MeanEdgeLength(const ClothMesh& mesh) {
@@ -67,6 +73,8 @@ class HangingGarment {
     Relax();
     FR_RETURN_IF_ERROR(run_.CheckFinite(state_));
     run_.TakePositions(model_, state_);
+    if (run_.options.pull_up) FR_RETURN_IF_ERROR(PullUp(*run_.options.pull_up));
+    if (run_.options.attach) FR_RETURN_IF_ERROR(Belt());
     FR_RETURN_IF_ERROR(ComeToRest());
     LiftOut();
     Conclude();
@@ -75,6 +83,10 @@ class HangingGarment {
 
  private:
   void Relax();
+  Status PullUp(const PullUpOptions& pull);
+  Status Belt();
+  bool TouchesFromBelow(const PullUpOptions& pull) const;
+  bool ChainsHaveTheirLength();
   Status ComeToRest();
   void LiftOut();
   void Conclude();
@@ -105,6 +117,109 @@ void HangingGarment::Relax() {
   }
   run_.report.relaxing_substeps = limit;
   run_.substep += limit;
+}
+
+// Only contact from below counts: a crotch between thighs that touch is near the body long before it is up.
+bool HangingGarment::TouchesFromBelow(const PullUpOptions& pull) const {
+  for (const int vertex : pull.crotch_vertices) {
+    const SignedDistanceField::Sample sample = run_.body.Query(run_.positions[static_cast<size_t>(vertex)]);
+    const double length = sample.gradient.norm();
+    if (sample.distance <= pull.contact_distance && sample.gradient.y() < -kFromBelow * length) return true;
+  }
+  return false;
+}
+
+// Moves the whole garment up without gravity, by the drag of an upward wind, until the crotch or the waist is where it
+// belongs or nothing rises any more.
+Status HangingGarment::PullUp(const PullUpOptions& pull) {
+  const auto mean_height = [&] {
+    double sum = 0.0;
+    for (const int vertex : pull.edge_vertices) sum += run_.positions[static_cast<size_t>(vertex)].y();
+    return pull.edge_vertices.empty() ? 0.0 : sum / static_cast<double>(pull.edge_vertices.size());
+  };
+  solver_.SetMotion(QuasiStaticMotion(run_.options));
+  state_.wind.assign(state_.positions.size(), Float4{0.0F, static_cast<float>(pull.speed), 0.0F, 0.0F});
+  DrapeReport& report = run_.report;
+  report.pull_end = PullEnd::kStepLimit;
+  double highest = mean_height();
+  int looks_without_progress = 0;
+  for (int look = 0; report.pulling_substeps < pull.substep_limit; ++look) {
+    if (TouchesFromBelow(pull)) {
+      report.pull_end = PullEnd::kCrotchContact;
+      break;
+    }
+    if (mean_height() >= pull.edge_height) {
+      report.pull_end = PullEnd::kEdgeAtHeight;
+      break;
+    }
+    if (looks_without_progress >= kPullPatience) {
+      report.pull_end = PullEnd::kStuck;
+      break;
+    }
+    solver_.Advance(state_, kPullInterval, run_.MakePulls(model_, run_.open_seams), 0.1 * run_.options.closing_speed);
+    report.pulling_substeps += kPullInterval;
+    run_.substep += kPullInterval;
+    FR_RETURN_IF_ERROR(run_.CheckFinite(state_));
+    run_.TakePositions(model_, state_);
+    if (look % 4 == 3) solver_.RaiseOffsets(state_, run_.options.sample_clearance);
+    const double height = mean_height();
+    looks_without_progress = height > highest + kPullProgress ? 0 : looks_without_progress + 1;
+    highest = std::max(highest, height);
+  }
+  state_.wind.clear();
+  for (Float4& velocity : state_.velocities) velocity = Float4();
+  run_.Observe(DrapeStage::kPulledUp, 0.35);
+  return Status();
+}
+
+// Carries the waist to its place on the belt and lets the cloth below follow, still without gravity.
+Status HangingGarment::Belt() {
+  FR_ASSIGN_OR_RETURN(std::vector<Attachment> attachments, run_.options.attach(run_.positions));
+  double longest_way = 0.0;
+  for (Attachment& attachment : attachments) {
+    if (attachment.particle < 0 || static_cast<size_t>(attachment.particle) >= run_.positions.size()) {
+      return InvalidArgument("VERTEX_OUT_OF_RANGE", "the belt holds a vertex that does not exist");
+    }
+    const size_t vertex = static_cast<size_t>(attachment.particle);
+    longest_way = std::max(longest_way, (attachment.target - run_.positions[vertex]).norm());
+    attachment.particle = model_.particle_of_vertex()[vertex];
+  }
+  const MotionOptions motion = QuasiStaticMotion(run_.options);
+  solver_.SetMotion(motion);
+  solver_.Attach(state_, attachments);
+  const int arrival = static_cast<int>(std::ceil(longest_way / (motion.attachment_speed * motion.time_step)));
+  const int limit = std::min(arrival, kLongestBelting) + kSettlingAfterBelt;
+  for (int done = 0; done < limit; done += kRelaxingInterval) {
+    solver_.Advance(state_, kRelaxingInterval, run_.MakePulls(model_, run_.open_seams),
+                    0.1 * run_.options.closing_speed);
+    solver_.RaiseOffsets(state_, run_.options.sample_clearance);
+    run_.report.belting_substeps += kRelaxingInterval;
+    run_.substep += kRelaxingInterval;
+    FR_RETURN_IF_ERROR(run_.CheckFinite(state_));
+    run_.TakePositions(model_, state_);
+  }
+  run_.Observe(DrapeStage::kBelted, 0.4);
+  return Status();
+}
+
+bool HangingGarment::ChainsHaveTheirLength() {
+  double difference = 0.0;
+  double rest = 0.0;
+  for (const VertexChain& chain : run_.options.measured_chains) {
+    double length_now = 0.0;
+    double length_at_rest = 0.0;
+    for (size_t i = 1; i < chain.size(); ++i) {
+      const size_t from = static_cast<size_t>(chain[i - 1]);
+      const size_t to = static_cast<size_t>(chain[i]);
+      length_now += (run_.positions[to] - run_.positions[from]).norm();
+      length_at_rest += (run_.mesh.rest_positions[to] - run_.mesh.rest_positions[from]).norm();
+    }
+    difference += std::abs(length_now - length_at_rest);
+    rest += length_at_rest;
+  }
+  run_.report.length_residual = rest > 0.0 ? difference / rest : 0.0;
+  run_.report.length_condition_met = run_.report.length_residual < run_.options.length_tolerance;
+  return run_.report.length_condition_met;
 }
 
 bool HangingGarment::TouchesBody() {
@@ -206,6 +321,7 @@ void HangingGarment::LiftOut() {
 void HangingGarment::Conclude() {
   DrapeReport& report = run_.report;
   TouchesBody();
+  ChainsHaveTheirLength();
   report.outcome = !run_.open_seams.empty()           ? DrapeOutcome::kSeamsOpen
                    : windows_at_rest_ >= kRestWindows ? DrapeOutcome::kAtRest
                                                       : DrapeOutcome::kNotAtRest;

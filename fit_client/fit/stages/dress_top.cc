@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-
-#include "fit_client/fit/collision/signed_distance_field.h"
+#include <utility>
 
 namespace fitroom {
 namespace {
@@ -40,22 +39,34 @@ std::vector<int> ShoulderPoints(const ClothMesh& cloth, const Body& body, const 
   return points;
 }
 
+// Body and layers as one mesh, to be looked at.
+TriangleMesh Together(const DressedBody& wearer) {
+  TriangleMesh all = wearer.collider;
+  for (const WornGarment& layer : wearer.layers) {
+    const int first = static_cast<int>(all.vertices.size());
+    all.vertices.insert(all.vertices.end(), layer.surface.vertices.begin(), layer.surface.vertices.end());
+    for (const Eigen::Vector3i& triangle : layer.surface.triangles) {
+      all.triangles.emplace_back(triangle + Eigen::Vector3i::Constant(first));
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
-Result<DressTopResult> DressTop(const ClothMesh& cloth, const Body& body, const TriangleMesh& collider,
-                                const DressTopOptions& options, Executor& executor,
-                                const std::function<void(double done)>& progress) {
-  FR_ASSIGN_OR_RETURN(const StartPose pose, PlaceTop(cloth, body, collider, options.start_pose));
-  SignedDistanceFieldOptions field_options;
-  field_options.pitch = options.field_pitch;
-  field_options.region = ReachOf(pose);
-  FR_ASSIGN_OR_RETURN(const SignedDistanceField field, SignedDistanceField::Build(collider, field_options, executor));
-
-  DressTopResult result;
+Result<Dressing> DressTop(const ClothMesh& cloth, GarmentKind kind, const DressedBody& wearer,
+                          const DressingOptions& options, Executor& executor,
+                          const std::function<void(double done)>& progress) {
+  FR_ASSIGN_OR_RETURN(
+      const StartPose pose,
+      PlaceTop(cloth, kind, wearer.body, wearer.layers.empty() ? wearer.collider : Together(wearer), options.top_pose));
+  FR_ASSIGN_OR_RETURN(const SignedDistanceField field,
+                      BuildDressedField(wearer.collider, wearer.layers, ReachOf(pose), options.field_pitch, executor));
+  Dressing result;
   result.stages.start = pose.apart;
   result.stages.merging = Between(pose.apart, pose.around, kMergingPicture);
   DrapeOptions drape_options = options.drape;
-  drape_options.touching_vertices = ShoulderPoints(cloth, body, pose);
+  drape_options.touching_vertices = ShoulderPoints(cloth, wearer.body, pose);
   result.shoulder_point_count = static_cast<int>(drape_options.touching_vertices.size());
   const DrapeObserver observer = [&](const DrapeSnapshot& snapshot) {
     if (snapshot.stage == DrapeStage::kStitched) {

@@ -4,20 +4,20 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <set>
 #include <string>
 #include <utility>
-
-#include <Eigen/SparseCholesky>
 
 #include "common/geometry/triangle_mesh.h"
 #include "fit_client/fit/stages/dressing_guides.h"
 #include "fit_client/fit/stages/frontal_map.h"
+#include "fit_client/fit/stages/harmonic_extension.h"
 #include "fit_client/fit/stages/panel_outline.h"
 
 namespace fitroom {
 namespace {
 
+constexpr double kUnderarmReach =
+    0.12;                              // So far down a sleeve's underside its depth is still the torso's (unit: metre).
 constexpr double kLargestBody = 10.0;  // The frontal map of a longer one would not fit the memory (unit: metre).
 
 using Eigen::Vector2d;
@@ -74,13 +74,17 @@ class HalfPlacement {
       : cloth_(cloth), body_(body), map_(map), guides_(guides), side_(side), options_(options) {}
 
   // Finds the half's seams on one panel's outline.
-  Status FindSeams(const PanelOutline& outline) {
+  Status FindSeams(const PanelOutline& outline, GarmentKind kind) {
     const std::string suffix = side_ > 0 ? "_L" : "_R";
     const std::string neck = side_ > 0 ? "P2" : "P1";
-    shoulder_name_ = side_ > 0 ? "e3" : "e7";
-    FR_ASSIGN_OR_RETURN(top_, outline.Section(neck, side_ > 0 ? "e4" : "e8"));
-    FR_ASSIGN_OR_RETURN(shoulder_, outline.Section(neck, shoulder_name_));
-    FR_ASSIGN_OR_RETURN(under_, outline.Section("underarm" + suffix, "sleeve_bottom" + suffix));
+    const bool is_dress = kind == GarmentKind::kOnePiece || kind == GarmentKind::kSleevedOnePiece;
+    const std::string shoulder = is_dress ? (side_ > 0 ? "e2" : "e6") : (side_ > 0 ? "e3" : "e7");
+    const std::string sleeve_end = is_dress ? "sleeve_top" + suffix : (side_ > 0 ? "e4" : "e8");
+    FR_ASSIGN_OR_RETURN(top_, outline.Section(neck, HasSleeves(kind) ? sleeve_end : shoulder));
+    FR_ASSIGN_OR_RETURN(shoulder_, outline.Section(neck, shoulder));
+    if (HasSleeves(kind)) {
+      FR_ASSIGN_OR_RETURN(under_, outline.Section("underarm" + suffix, "sleeve_bottom" + suffix));
+    }
     FR_ASSIGN_OR_RETURN(side_seam_, outline.Section("underarm" + suffix, "hem" + suffix));
     return Status();
   }
@@ -88,7 +92,7 @@ class HalfPlacement {
   // Decides where the underarm goes and how wide the torso's tube is below it.
   void ShapeTube() {
     const Vector3d shoulder_rest = Rest(shoulder_.back());
-    const Vector3d underarm_rest = Rest(under_.front());
+    const Vector3d underarm_rest = Rest(side_seam_.front());
     const double armhole = (shoulder_rest - underarm_rest).norm();
     top_start_ = guides_.shoulder_line.DistanceAtAbscissa(std::abs(Rest(top_.front()).x()));
     const Vector2d tip = guides_.shoulder_line.At(top_start_ + ChainLength(cloth_, shoulder_));
@@ -119,20 +123,30 @@ class HalfPlacement {
       const Vector2d place = guides_.shoulder_line.At(top_start_ + top_lengths[i]);
       anchors.push_back({top_[i], Place(place, RidgeDepth(place, arm))});
     }
-    const Vector2d underarm(tube_.Sample(tube_.half_widths, tube_.underarm_y), tube_.underarm_y);
-    const Vector2d sleeve_end = SleeveBottom(underarm);
-    const std::vector<double> under_lengths = RestArcLengths(cloth_, under_);
-    const double underarm_z = guides_.LevelAt(tube_.underarm_y).middle_depth;
-    for (size_t i = 1; i < under_.size(); ++i) {
-      const double t = under_lengths[i] / under_lengths.back();
-      const Vector2d place = (1.0 - t) * underarm + t * sleeve_end;
-      anchors.push_back({under_[i], Place(place, (1.0 - t) * underarm_z + t * AxisDepth(arm, place.y()))});
-    }
+    if (!under_.empty()) AddUndersideAnchors(arm, anchors);
     const std::vector<double> side_lengths = RestArcLengths(cloth_, side_seam_);
     for (size_t i = 0; i < side_seam_.size(); ++i) {
       const double y = tube_.underarm_y - options_.side_scale * side_lengths[i];
       anchors.push_back(
           {side_seam_[i], Place({tube_.Sample(tube_.half_widths, y), y}, guides_.LevelAt(y).middle_depth)});
+    }
+  }
+
+  // Lists where the sleeve's underside goes: straight to its end on the arm, or along the arm's inner outline where it
+  // reaches past the elbow.
+  void AddUndersideAnchors(const LimbAxis& arm, std::vector<Anchor>& anchors) const {
+    const Vector2d underarm(tube_.Sample(tube_.half_widths, tube_.underarm_y), tube_.underarm_y);
+    const Vector2d sleeve_end = SleeveBottom(underarm);
+    const std::vector<double> lengths = RestArcLengths(cloth_, under_);
+    const double underarm_z = guides_.LevelAt(tube_.underarm_y).middle_depth;
+    const Polyline inside = InsideOfArm(underarm);
+    const bool follows_arm = sleeve_end.y() < arm.joint.y() && inside.points().size() > 2;
+    for (size_t i = 1; i < under_.size(); ++i) {
+      const double t = lengths[i] / lengths.back();
+      const Vector2d place = follows_arm ? inside.At(lengths[i]) : Vector2d((1.0 - t) * underarm + t * sleeve_end);
+      const double from_torso = follows_arm ? std::max(0.0, 1.0 - lengths[i] / kUnderarmReach) : 1.0 - t;
+      anchors.push_back(
+          {under_[i], Place(place, from_torso * underarm_z + (1.0 - from_torso) * AxisDepth(arm, place.y()))});
     }
   }
 
@@ -200,6 +214,16 @@ class HalfPlacement {
     return best;
   }
 
+  // The way from the underarm along the arm's inner outline; straight to where it comes free of the torso.
+  Polyline InsideOfArm(const Vector2d& underarm) const {
+    std::vector<Vector2d> points = {underarm};
+    for (const Vector2d& point : guides_.arm_inside) {
+      const bool is_free = point.y() < underarm.y() - 0.02 && point.x() > underarm.x();
+      if (is_free && point.y() < points.back().y()) points.push_back(point);
+    }
+    return Polyline(std::move(points));
+  }
+
   static void Smooth(std::vector<double>& values) {
     for (int pass = 0; pass < 8; ++pass) {
       const std::vector<double> before = values;
@@ -221,58 +245,21 @@ class HalfPlacement {
   TorsoTube tube_;
 };
 
-// Extends the anchors' displacements over one panel: the solution of Laplace's equation on its edges, free at openings.
-// Returns one place a particle of the panel (x, y, middle depth); other particles keep zero.
-Result<std::vector<Vector3d>> ExtendHarmonically(const ClothMesh& cloth, int panel,
-                                                 const std::vector<Anchor>& anchors) {
-  const size_t count = cloth.rest_positions.size();
-  std::vector<int> unknown(count, -1);
-  std::vector<Vector3d> places(count, Vector3d::Zero());
-  std::vector<bool> anchored(count, false);
+// Extends the anchors' displacements over one panel. Returns one place a particle of the panel (x, y, middle depth).
+Result<std::vector<Vector3d>> PlacesBetween(const ClothMesh& cloth, int panel, const std::vector<Anchor>& anchors) {
+  std::vector<GivenValue> given;
   for (const Anchor& anchor : anchors) {
-    anchored[static_cast<size_t>(anchor.particle)] = true;
-    places[static_cast<size_t>(anchor.particle)] = anchor.place;
+    given.push_back({anchor.particle, anchor.place - cloth.rest_positions[static_cast<size_t>(anchor.particle)]});
   }
-  int unknown_count = 0;
-  for (size_t i = 0; i < count; ++i) {
-    if (cloth.panel_of_particle[i] == panel && !anchored[i]) unknown[i] = unknown_count++;
-  }
-  std::set<std::pair<int, int>> edges;
-  for (const Eigen::Vector3i& triangle : cloth.triangles) {
-    if (cloth.panel_of_particle[static_cast<size_t>(triangle[0])] != panel) continue;
-    for (int k = 0; k < 3; ++k) edges.insert(std::minmax(triangle[k], triangle[(k + 1) % 3]));
-  }
-  std::vector<Eigen::Triplet<double>> entries;
-  Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(unknown_count, 3);
-  const auto displacement = [&](size_t i) { return Vector3d(places[i] - cloth.rest_positions[i]); };
-  for (const auto& [first, second] : edges) {
-    for (const auto& [i, j] : {std::pair(first, second), std::pair(second, first)}) {
-      const int row = unknown[static_cast<size_t>(i)];
-      if (row < 0) continue;
-      entries.emplace_back(row, row, 1.0);
-      const int column = unknown[static_cast<size_t>(j)];
-      if (column >= 0)
-        entries.emplace_back(row, column, -1.0);
-      else
-        right.row(row) += displacement(static_cast<size_t>(j)).transpose();
-    }
-  }
-  Eigen::SparseMatrix<double> laplacian(unknown_count, unknown_count);
-  laplacian.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(laplacian);
-  if (solver.info() != Eigen::Success) {
-    return InvalidArgument("PANEL_LOOSE", "a part of the panel hangs on no seam; check the outline points");
-  }
-  const Eigen::MatrixX3d solution = solver.solve(right);
-  for (size_t i = 0; i < count; ++i) {
-    if (unknown[i] >= 0) places[i] = cloth.rest_positions[i] + solution.row(unknown[i]).transpose();
-  }
+  FR_ASSIGN_OR_RETURN(std::vector<Vector3d> places, ExtendHarmonically(cloth, panel, given));
+  for (size_t i = 0; i < places.size(); ++i) places[i] += cloth.rest_positions[i];
+  for (const Anchor& anchor : anchors) places[static_cast<size_t>(anchor.particle)] = anchor.place;
   return places;
 }
 
 }  // namespace
 
-Result<StartPose> PlaceTop(const ClothMesh& cloth, const Body& body, const TriangleMesh& collider,
+Result<StartPose> PlaceTop(const ClothMesh& cloth, GarmentKind kind, const Body& body, const TriangleMesh& collider,
                            const StartPoseOptions& options) {
   if (ComputeBounds(collider).sizes().maxCoeff() > kLargestBody) {
     return InvalidArgument("BODY_TOO_LARGE", "the body is more than 10 m long; is the unit metres?");
@@ -289,11 +276,11 @@ Result<StartPose> PlaceTop(const ClothMesh& cloth, const Body& body, const Trian
     HalfPlacement right(cloth, body, map, right_guides, -1, options);
     std::vector<Anchor> anchors;
     for (HalfPlacement* half : {&left, &right}) {
-      FR_RETURN_IF_ERROR(half->FindSeams(outline));
+      FR_RETURN_IF_ERROR(half->FindSeams(outline, kind));
       half->ShapeTube();
       half->AddAnchors(anchors);
     }
-    FR_ASSIGN_OR_RETURN(const std::vector<Vector3d> places, ExtendHarmonically(cloth, panel, anchors));
+    FR_ASSIGN_OR_RETURN(const std::vector<Vector3d> places, PlacesBetween(cloth, panel, anchors));
     std::vector<bool> sewn(cloth.rest_positions.size(), false);
     for (const Anchor& anchor : anchors) sewn[static_cast<size_t>(anchor.particle)] = true;
     const double neck_y = std::max(left_guides.shoulder_line.At(0.0).y(), right_guides.shoulder_line.At(0.0).y());

@@ -6,6 +6,7 @@
 
 #include "common/base/status.h"
 #include "common/body/body.h"
+#include "common/garment/garment.h"
 #include "fit_client/fit/cloth_mesh.h"
 
 namespace fitroom {
@@ -29,9 +30,9 @@ struct StartPose {
   std::vector<Eigen::Vector3d> around;  // Shaped round the torso and the arms, seams nearly meeting.
 };
 
-// Places a top: its neck's midpoint Cp over the body's front neck point, shoulder seams over the shoulders' ridges,
-// underarms between arm and torso, sleeves round the arms, side seams beside the torso. `collider` is the body without
-// holes, `body` its landmarks and arm axes.
+// Places a top or a one-piece: its neck's midpoint Cp over the body's front neck point, shoulder seams over the
+// shoulders' ridges, underarms between arm and torso, sleeves, where it has any, round the arms, side seams beside the
+// torso. `collider` is the body without holes, `body` its landmarks and arm axes.
 //
 // The outline is placed first; between its seams the panel follows by a harmonic displacement (the smoothest one, so
 // that the rest shape is kept where nothing forces it), and its depth is the body's own, or a half ellipse as wide as
@@ -39,7 +40,7 @@ struct StartPose {
 //
 // INVALID_ARGUMENT for a panel without the points of a top and for a body of more than 10 m, FAILED_PRECONDITION where
 // the scan lacks a landmark.
-Result<StartPose> PlaceTop(const ClothMesh& cloth, const Body& body, const TriangleMesh& collider,
+Result<StartPose> PlaceTop(const ClothMesh& cloth, GarmentKind kind, const Body& body, const TriangleMesh& collider,
                            const StartPoseOptions& options);
 
 }  // namespace fitroom
