@@ -64,10 +64,11 @@ enum class PullEnd {
 // "not_pulled", "crotch_contact", "edge_at_height", "stuck", "step_limit".
 std::string_view PullEndName(PullEnd end);
 
-// Pulls a stitched bottom up under antigravity (equations 7 to 9): the whole cloth follows an upward wind. Vertices of
-// the mesh.
+// Pulls a stitched bottom up under antigravity (equations 7 to 9): its waist follows an upward wind, the rest of the
+// cloth follows the waist. Vertices of the mesh.
 struct PullUpOptions {
-  double speed = 0.25;               // Of the wind (unit: m/s).
+  double speed = 0.25;               // Of the wind at the waist (unit: m/s).
+  double grip_length = 0.15;         // The wind falls to nothing so far below the waist's edge (unit: metre).
   std::vector<int> crotch_vertices;  // Contact of one of these with the body from below ends the pull,
   double contact_distance = 0.007;   // which is a signed distance up to this (unit: metre).
   std::vector<int> edge_vertices;    // The waist's edge; its mean height

@@ -129,7 +129,7 @@ bool HangingGarment::TouchesFromBelow(const PullUpOptions& pull) const {
   return false;
 }
 
-// Moves the whole garment up without gravity, by the drag of an upward wind, until the crotch or the waist is where it
+// Moves the garment up without gravity, by the drag of an upward wind at its waist, until the crotch or the waist is where it
 // belongs or nothing rises any more.
 Status HangingGarment::PullUp(const PullUpOptions& pull) {
   const auto mean_height = [&] {
@@ -138,10 +138,15 @@ Status HangingGarment::PullUp(const PullUpOptions& pull) {
     return pull.edge_vertices.empty() ? 0.0 : sum / static_cast<double>(pull.edge_vertices.size());
   };
   solver_.SetMotion(QuasiStaticMotion(run_.options));
-  state_.wind.assign(state_.positions.size(), Float4{0.0F, static_cast<float>(pull.speed), 0.0F, 0.0F});
   DrapeReport& report = run_.report;
   report.pull_end = PullEnd::kStepLimit;
   double highest = mean_height();
+  // Whoever pulls holds the cloth near the waist; what hangs below follows. A wind on all of it would blow the legs up.
+  state_.wind.assign(state_.positions.size(), Float4());
+  for (size_t vertex = 0; vertex < run_.positions.size(); ++vertex) {
+    const double grip = std::clamp(1.0 - (highest - run_.positions[vertex].y()) / pull.grip_length, 0.0, 1.0);
+    state_.wind[static_cast<size_t>(model_.particle_of_vertex()[vertex])].y = static_cast<float>(grip * pull.speed);
+  }
   int looks_without_progress = 0;
   for (int look = 0; report.pulling_substeps < pull.substep_limit; ++look) {
     if (TouchesFromBelow(pull)) {

@@ -124,8 +124,10 @@ struct Tubes {
   std::array<TapeCurve, 2> leg;
   double front_share = 0.5;  // Of the trunk's tape that the front panel takes.
   std::array<double, 2> leg_front_share = {0.5, 0.5};
-  double trunk_front = 1.0;  // How far the front's middle has come from between the legs to the trunk's tape, 0 to 1.
+  // How far front's middle, back's middle and the sides have come from the legs' tapes to the trunk's, 0 to 1.
+  double trunk_front = 1.0;
   double trunk_back = 1.0;
+  double trunk_side = 1.0;
 };
 
 double Total(const GarmentLevels::Widths& widths, size_t side) { return widths[side][0] + widths[side][1]; }
@@ -207,41 +209,56 @@ class BottomPlacement {
     return std::max(body_girth, Total(widths, 0) + Total(widths, 1)) / (2.0 * std::numbers::pi);
   }
 
-  // Lets the left outseam run over the body from where its place is known: at the crotch's level, or at the waist.
+  // Lets the left outseam run down over the body from where the waist will be.
   void MapHeights(const GarmentLevels& levels) {
     const std::vector<int>& seam = outline_.outseams[0][0].particles;
-    size_t start = 0;
+    start_y_ = body_.groin().y() - options_.below_groin;
     double y = body_.waist_height() - options_.below_waist;
-    if (outline_.has_legs()) {
-      const double crotch = RestHeight(outline_.crotch.front());
-      while (start + 1 < seam.size() && RestHeight(seam[start]) > crotch) ++start;
-      y = body_.groin().y() - options_.below_groin;
-    }
-    start_y_ = y;
-    side_heights_.assign(seam.size(), y);
-    for (size_t k = start; k-- > 0;) side_heights_[k] = Step(levels, seam[k + 1], seam[k], side_heights_[k + 1], 1.0);
-    leg_scale_ = LegScale(seam, start);
-    for (size_t k = start + 1; k < seam.size(); ++k) {
-      if (outline_.has_legs()) {
-        side_heights_[k] = y - leg_scale_ * SeamLength(seam, start, k);
-      } else {
-        side_heights_[k] = Step(levels, seam[k - 1], seam[k], side_heights_[k - 1], -1.0);
+    if (outline_.has_legs()) y = 0.5 * (WaistAbove(0) + WaistAbove(1));
+    side_heights_ = {y};
+    double leg_scale = 1.0;
+    bool is_on_leg = false;
+    for (size_t k = 1; k < seam.size(); ++k) {
+      if (outline_.has_legs() && !is_on_leg && y <= body_.groin().y()) {
+        is_on_leg = true;
+        leg_scale = LegScale(y, SeamLength(seam, k - 1, seam.size() - 1));
       }
+      y = is_on_leg ? y - leg_scale * SeamLength(seam, k - 1, k) : Step(levels, seam[k - 1], seam[k], y, -1.0);
+      side_heights_.push_back(y);
     }
     for (size_t k = 0; k < seam.size(); ++k) heights_on_body_.Add(RestHeight(seam[k]), side_heights_[k]);
     heights_on_body_.Finish();
+  }
+
+  // Legs that are too long start pushed together, because the foot is in the way.
+  double LegScale(double y, double length) const {
+    return std::clamp((y - options_.lowest_hem) / std::max(length, 1e-3), 0.3, 1.0);
+  }
+
+  // The height that the middle of the waist's edge reaches when the crotch is up and the cloth follows the midline.
+  double WaistAbove(int panel) const {
+    double length = 0.0;
+    for (const auto& chain : outline_.centre_seams[static_cast<size_t>(panel)]) {
+      length = std::max(length, RestArcLengths(cloth_, chain.particles).back());
+    }
+    if (length == 0.0) {  // No centre seam: straight up from the crotch.
+      const double middle = cloth_.rest_positions[static_cast<size_t>(outline_.crotch.front())].x();
+      double nearest = 1e9;
+      for (const WaistParticle& edge : outline_.waist) {
+        const Vector3d& place = cloth_.rest_positions[static_cast<size_t>(edge.particle)];
+        if (cloth_.panel_of_particle[static_cast<size_t>(edge.particle)] != panel) continue;
+        if (std::abs(place.x() - middle) >= nearest) continue;
+        nearest = std::abs(place.x() - middle);
+        length = place.y() - RestHeight(outline_.crotch.front());
+      }
+    }
+    return WalkUpMidline(panel, {length}).front();
   }
 
   double SeamLength(const std::vector<int>& seam, size_t from, size_t to) const {
     const std::vector<int> part(seam.begin() + static_cast<std::ptrdiff_t>(from),
                                 seam.begin() + static_cast<std::ptrdiff_t>(to) + 1);
     return RestArcLengths(cloth_, part).back();
-  }
-
-  double LegScale(const std::vector<int>& seam, size_t start) const {
-    if (!outline_.has_legs() || start + 1 >= seam.size()) return 1.0;
-    const double length = SeamLength(seam, start, seam.size() - 1);
-    return std::clamp((start_y_ - options_.lowest_hem) / std::max(length, 1e-3), 0.3, 0.98);
   }
 
   double Step(const GarmentLevels& levels, int from, int to, double y, double direction) const {
@@ -269,8 +286,9 @@ class BottomPlacement {
         for (const auto& chain : outline_.inseams[side]) {
           if (chain.panel != panel) continue;
           const std::vector<double> lengths = RestArcLengths(cloth_, chain.particles);
+          const double scale = LegScale(start_y_, lengths.back());
           for (size_t k = 0; k < chain.particles.size(); ++k) {
-            give(chain.particles[k], start_y_ - leg_scale_ * lengths[k]);
+            give(chain.particles[k], start_y_ - scale * lengths[k]);
           }
         }
       }
@@ -284,23 +302,31 @@ class BottomPlacement {
   // A centre seam follows the body's midline up from the groin, as long as it is.
   template <typename Give>
   void GiveCentreSeam(const BottomOutline::Chain& chain, const Give& give) const {
-    std::vector<int> upwards(chain.particles.rbegin(), chain.particles.rend());
-    const std::vector<double> lengths = RestArcLengths(cloth_, upwards);
-    double y = start_y_;
-    double walked = 0.0;
-    double z = MidlineDepth(y, chain.panel);
+    const std::vector<int> upwards(chain.particles.rbegin(), chain.particles.rend());
+    const std::vector<double> heights = WalkUpMidline(chain.panel, RestArcLengths(cloth_, upwards));
+    for (size_t k = 0; k < upwards.size(); ++k) give(upwards[k], heights[k]);
+  }
+
+  // Heights after given ways (ascending) up the body's midline from where the crotch starts.
+  std::vector<double> WalkUpMidline(int panel, const std::vector<double>& ways) const {
     constexpr double kStep = 0.004;  // (unit: metre)
-    for (size_t k = 0; k < upwards.size(); ++k) {
-      while (walked < lengths[k]) {
-        const double next = MidlineDepth(y + kStep, chain.panel);
-        const double way = std::hypot(kStep, next - z);
-        const double part = std::min(1.0, (lengths[k] - walked) / way);
-        walked += part * way;
+    std::vector<double> heights;
+    double y = start_y_;
+    double z = MidlineDepth(y, panel);
+    double walked = 0.0;
+    for (const double way : ways) {
+      while (walked < way) {
+        const double next = MidlineDepth(y + kStep, panel);
+        const double length = std::hypot(kStep, next - z);
+        const double part = std::min(1.0, (way - walked) / length);
+        walked += part * length;
         y += part * kStep;
         z += part * (next - z);
+        if (part < 1.0) break;
       }
-      give(upwards[k], y);
+      heights.push_back(y);
     }
+    return heights;
   }
 
   // z of the body's midline, from between the legs to the trunk's front or back.
@@ -348,9 +374,10 @@ class BottomPlacement {
     const Eigen::Vector3d& groin = body_.groin();
     if (is_lowered_) {
       const double above = (rest_y - RestHeight(outline_.crotch.front())) / kLoweredFork;
-      tubes.trunk_front = tubes.trunk_back = std::clamp(above, 0.0, 1.0);
+      tubes.trunk_front = tubes.trunk_back = tubes.trunk_side = std::clamp(above, 0.0, 1.0);
       return;
     }
+    tubes.trunk_side = std::clamp((y - groin.y()) / (2.0 * kSideReach) + 0.5, 0.0, 1.0);
     if (y < groin.y() || y > groin.y() + kLegsReach || tubes.trunk.is_empty()) {
       tubes.trunk_front = tubes.trunk_back = y < groin.y() ? 0.0 : 1.0;
       return;
@@ -375,7 +402,8 @@ class BottomPlacement {
   Vector2d InTubes(const Tubes& tubes, size_t i) const {
     const bool front = cloth_.panel_of_particle[i] == 0;
     const double across = std::clamp(across_[i].x(), -1.0, 1.0);
-    const double trunk_part = front ? tubes.trunk_front : tubes.trunk_back;
+    const double middle_part = front ? tubes.trunk_front : tubes.trunk_back;
+    const double trunk_part = middle_part + std::abs(across) * (tubes.trunk_side - middle_part);
     const Vector2d on_trunk = trunk_part > 0.0 ? OnTrunk(tubes, front, across) : Vector2d(Vector2d::Zero());
     if (trunk_part >= 1.0) return on_trunk;
     const Vector2d on_leg = OnLeg(tubes, front, across);
@@ -419,6 +447,7 @@ class BottomPlacement {
   }
 
   static constexpr double kLegsReach = 0.12;    // Above the groin the trunk's tube is reached by then (unit: metre).
+  static constexpr double kSideReach = 0.08;    // Above and below the groin the sides go over (unit: metre).
   static constexpr double kLoweredFork = 0.06;  // The same above the crotch of a lowered garment (unit: metre).
 
   const ClothMesh& cloth_;
@@ -428,8 +457,7 @@ class BottomPlacement {
   std::vector<Vector3d> across_;  // x: across, see FindAcross().
   std::vector<double> heights_;
   std::vector<double> side_heights_;  // Of the left outseam's particles.
-  double start_y_ = 0.0;              // Where the crotch, or the waist of a skirt, starts.
-  double leg_scale_ = 1.0;
+  double start_y_ = 0.0;              // Where the crotch starts.
   HeightMap heights_on_body_;
   std::vector<Tubes> tubes_;  // One a step of the body's levels.
   bool is_lowered_ = false;
