@@ -91,13 +91,17 @@ GarmentShape MakeTrouserShape(GarmentKind kind, const std::vector<GarmentMeasure
   const auto down_the_leg = [&](double part) { return depth + part * (shape.length - depth); };
   // Legs lie a little apart, so that their inseams are seen from the crotch down.
   const Vector2d crotch(0.0, depth);
-  const Vector2d inner_knee(is_short ? 2.6 : 5.4, down_the_leg(0.5)), inner_hem(is_short ? 4.6 : 9.6, shape.length);
+  const Vector2d inner_knee(is_short ? 1.6 : 5.4, down_the_leg(0.5)), inner_hem(is_short ? 3.0 : 9.6, shape.length);
   const Vector2d waist(0.5 * Cm(measures, "waist_width"), 0.0);
   const Vector2d outer_hem(inner_hem.x() + Cm(measures, "hem_width"), shape.length);
   shape.waist = MakeWaist(waist.x());
-  // Folding hides the fork: at the crotch's height a leg shows half the hip's width.
-  shape.side = Profile({waist, Vector2d(half_hip, kTrouserHipPart * depth), Vector2d(half_hip + 0.05, depth),
-                        Vector2d(inner_knee.x() + Cm(measures, "knee_width"), inner_knee.y()), outer_hem});
+  // Folding hides the fork: at the crotch's height a leg of trousers shows half the hip's width. Shorts lie wider, in a
+  // line from hip to hem.
+  std::vector<Vector2d> side = {waist, Vector2d(half_hip, kTrouserHipPart * depth)};
+  if (!is_short) side.emplace_back(half_hip + 0.05, depth);
+  side.emplace_back(inner_knee.x() + Cm(measures, "knee_width"), inner_knee.y());
+  side.push_back(outer_hem);
+  shape.side = Profile(side);
   shape.inseam = {crotch};
   AppendCurve(shape.inseam, crotch + Vector2d(0.5, 0.1), crotch + Vector2d(0.7, 1.0), crotch + Vector2d(0.9, 2.6));
   Join(shape.inseam, Profile({shape.inseam.back(), inner_knee, inner_hem}));
@@ -141,9 +145,11 @@ GarmentShape MakeSideFoldedShape(GarmentKind kind, const std::vector<GarmentMeas
   // taken in at the outseam.
   const Vector2d waist_centre(0.0, 0.0), waist_side(half_waist, 0.0), crotch(-extension, depth);
   const double knee = Cm(measures, "knee_width"), hem = Cm(measures, "hem_width");
-  const double leg_middle = 0.5 * (half_hip - extension);
-  const Vector2d knee_inner(leg_middle - 0.5 * knee, knee_height), knee_outer(leg_middle + 0.5 * knee, knee_height);
-  const Vector2d hem_inner(leg_middle - 0.5 * hem, shape.length), hem_outer(leg_middle + 0.5 * hem, shape.length);
+  // A long leg hangs from the middle of its thigh; a short one keeps its outseam straight.
+  const bool is_short = kind == GarmentKind::kShorts;
+  const auto middle_of = [&](double width) { return is_short ? half_hip - 0.5 * width : 0.5 * (half_hip - extension); };
+  const Vector2d knee_inner(middle_of(knee) - 0.5 * knee, knee_height), knee_outer(knee_inner.x() + knee, knee_height);
+  const Vector2d hem_inner(middle_of(hem) - 0.5 * hem, shape.length), hem_outer(hem_inner.x() + hem, shape.length);
   shape.armhole = CrotchCurve(depth, extension);
   shape.waist = {waist_centre};
   AppendLine(shape.waist, waist_side);

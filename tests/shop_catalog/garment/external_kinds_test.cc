@@ -121,7 +121,7 @@ TEST(ExternalKinds, PointsLieWhereTheyWereMarkedByHand) {
       static_cast<double>(errors.size());
   std::printf("%d garments, %d refused, %zu points: median %.2f %%, more than 5 %% off: %.1f %%\n", garments, refused,
               errors.size(), 100 * median, 100 * far);
-  EXPECT_LE(refused, 2);
+  EXPECT_LE(refused, 3);
   EXPECT_LE(median, 0.012);
   EXPECT_LE(far, 0.15);
 }
