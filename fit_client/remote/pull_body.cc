@@ -7,6 +7,7 @@
 #include "common/base/file.h"
 #include "common/scan_record/scan_record_json.h"
 #include "fit_client/cache/cache.h"
+#include "fit_client/remote/pull_lock.h"
 #include "fit_client/remote/resumed_file.h"
 
 namespace fitroom::fit_client {
@@ -54,11 +55,15 @@ Result<ScanRecord> PullBody(remote::BodyClient& client, const fs::path& cache, s
   FR_ASSIGN_OR_RETURN(ScanRecord scan, FindScan(client, name));
   FR_RETURN_IF_ERROR(CheckRecord(name, scan));
   const fs::path folder = ScanFolder(cache, scan.name);
+  FR_RETURN_IF_ERROR(MakePrivateFolder(cache));
+  FR_RETURN_IF_ERROR(MakePrivateFolder(folder.parent_path()));
+  // Whoever waits here finds the scan cached afterwards.
+  FR_ASSIGN_OR_RETURN(const PullLock lock,
+                      PullLock::Take(folder.parent_path() / (".lock-" + scan.name.scan), kPullPatience));
   if (IsCached(folder, scan)) return scan;
   // The hash in its name keeps a later scan from going on with an earlier one's bytes.
   const fs::path partial =
       folder.parent_path() / (".partial-" + scan.name.scan + "-" + scan.packed_mesh_hash.ToHex().substr(0, 16));
-  FR_RETURN_IF_ERROR(MakePrivateFolder(cache));
   FR_RETURN_IF_ERROR(MakePrivateFolder(partial));
   FR_RETURN_IF_ERROR(DownloadResumed(
       partial / "packed_mesh.bin", scan.packed_mesh_size, scan.packed_mesh_hash,

@@ -6,6 +6,7 @@
 #include "common/garment/garment_json.h"
 #include "common/garment/validate.h"
 #include "fit_client/cache/cache.h"
+#include "fit_client/remote/pull_lock.h"
 #include "fit_client/remote/resumed_file.h"
 
 namespace fitroom::fit_client {
@@ -55,10 +56,13 @@ Result<GarmentRecord> PullGarment(remote::ShopClient& client, const fs::path& ca
   }
   FR_RETURN_IF_ERROR(CheckRecord(record));
   const fs::path folder = GarmentFolder(cache, id);
+  FR_RETURN_IF_ERROR(MakePrivateFolder(cache));
+  FR_RETURN_IF_ERROR(MakePrivateFolder(folder.parent_path()));
+  // Whoever waits here finds the garment cached afterwards.
+  FR_ASSIGN_OR_RETURN(const PullLock lock, PullLock::Take(folder.parent_path() / (".lock-" + id), kPullPatience));
   if (IsCached(folder, record)) return record;
   const std::string json = GarmentToJson(record.garment);
   const fs::path partial = folder.parent_path() / (".partial-" + id + "-" + Blake2b(json).ToHex().substr(0, 16));
-  FR_RETURN_IF_ERROR(MakePrivateFolder(cache));
   FR_RETURN_IF_ERROR(MakePrivateFolder(partial));
   for (const GarmentImageRecord& image : record.images) {
     FR_RETURN_IF_ERROR(DownloadResumed(

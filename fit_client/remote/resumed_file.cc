@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <string>
 
@@ -95,15 +96,27 @@ Status MakePrivateFolder(const fs::path& folder) {
 }
 
 Status ReplaceFolder(const fs::path& partial, const fs::path& folder) {
+  // Exchanges both names in one step, so that a process that is killed leaves the old folder or the new one.
+  if (::renameat2(AT_FDCWD, partial.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0) {
+    std::error_code ignored;
+    fs::remove_all(partial, ignored);  // What was there before.
+    return Status();
+  }
+  const int exchange_error = errno;
   std::error_code error;
+  if (exchange_error == ENOENT) {  // Nothing was there: one step as well.
+    fs::rename(partial, folder, error);
+    return error ? Unavailable("FILE_IO", folder.string() + ": " + error.message()) : Status();
+  }
+  // The file system cannot exchange (EINVAL, ENOSYS): two steps, the old folder under a name of its own between them.
   fs::path old = partial;
   old += "-old";
   fs::remove_all(old, error);
-  fs::rename(folder, old, error);  // Fails where there is none, which is well.
-  fs::rename(partial, folder, error);
+  fs::rename(folder, old, error);
+  if (!error) fs::rename(partial, folder, error);
   std::error_code ignored;
   if (error) {
-    fs::rename(old, folder, ignored);  // What was there stays there.
+    if (!fs::exists(folder, ignored)) fs::rename(old, folder, ignored);  // What was there stays there.
     return Unavailable("FILE_IO", folder.string() + ": " + error.message());
   }
   fs::remove_all(old, ignored);

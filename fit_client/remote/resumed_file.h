@@ -22,7 +22,8 @@ Status DownloadResumed(const std::filesystem::path& path, int64_t size, const Ha
 // Makes a folder that only its owner may enter, with all folders above it.
 Status MakePrivateFolder(const std::filesystem::path& folder);
 
-// Puts the finished folder `partial` in the place of `folder`, which may be there already.
+// Puts the finished folder `partial` in the place of `folder`, which may be there already: in one step, where the file
+// system can exchange two names, so that nobody ever finds it missing. On failure what was there stays there.
 Status ReplaceFolder(const std::filesystem::path& partial, const std::filesystem::path& folder);
 
 }  // namespace fitroom::fit_client

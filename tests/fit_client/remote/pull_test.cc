@@ -1,10 +1,18 @@
 // Pulling from real servers into a cache, and what the cache gives once they are gone.
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <string>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,6 +24,7 @@
 #include "fit_client/cache/cache.h"
 #include "fit_client/remote/pull_body.h"
 #include "fit_client/remote/pull_garment.h"
+#include "fit_client/remote/pull_lock.h"
 #include "fit_client/remote/resumed_file.h"
 #include "shop_catalog/service/shop_server.h"
 #include "tests/support/service/fake_garment.h"
@@ -177,6 +186,71 @@ TEST_F(PullTest, GoesOnWhereAnInterruptedPullStopped) {
   EXPECT_EQ(DownloadResumed(path, 700000, Blake2b("other"), stream_from(700000, offset), {}).reason(),
             "DOWNLOAD_HASH_MISMATCH");
   EXPECT_FALSE(fs::exists(path));
+}
+
+// Both write one partial folder: one waits for the other and finds the item cached.
+TEST_F(PullTest, PullsOfOneItemDoNotMeet) {
+  Publish("tee", 3, 3000000);
+  Register("ann", "one", 1);
+  std::vector<std::thread> threads;
+  std::array<Status, 6> outcomes;
+  for (size_t i = 0; i < outcomes.size(); ++i) {
+    threads.emplace_back([&, i] {
+      outcomes[i] =
+          i % 2 == 0 ? PullGarment(*shop_, cache_, "tee", {}).status() : PullBody(*body_, cache_, "ann", {}).status();
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const Status& outcome : outcomes) EXPECT_TRUE(outcome.ok()) << outcome.ToString();
+  EXPECT_TRUE(ReadGarmentFolder(*CachedGarmentFolder("tee")).ok());
+  EXPECT_TRUE(LoadCachedBody("ann").ok());
+  EXPECT_EQ(ListCachedScans()->size(), 1u);
+}
+
+TEST_F(PullTest, SaysThatAnotherPullIsUnderWay) {
+  const fs::path path = folder_.path() / ".lock-tee";
+  {
+    const Result<PullLock> first = PullLock::Take(path, std::chrono::milliseconds(0));
+    ASSERT_TRUE(first.ok()) << first.status().ToString();
+    EXPECT_EQ(PullLock::Take(path, std::chrono::milliseconds(0)).status().reason(), "PULL_UNDER_WAY");
+  }
+  EXPECT_TRUE(PullLock::Take(path, std::chrono::milliseconds(0)).ok());
+}
+
+// A reader that looks all the time finds the old folder or the new one, never none: so does one that comes after a
+// process that was killed in between.
+TEST_F(PullTest, AReplacedFolderIsNeverMissing) {
+  const fs::path folder = folder_.path() / "item";
+  const fs::path partial = folder_.path() / ".partial-item";
+  const auto make = [](const fs::path& path, int version) {
+    fs::create_directories(path);
+    ASSERT_TRUE(WriteFileAtomically(path / "mark", std::to_string(version)).ok());
+  };
+  make(folder, 0);
+  make(partial, 1);
+  if (::renameat2(AT_FDCWD, partial.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) != 0) {
+    GTEST_SKIP() << "this file system cannot exchange two names";
+  }
+  std::atomic<bool> ends = false;
+  std::atomic<int64_t> missing_count = 0;
+  std::thread reader([&] {
+    while (!ends) missing_count += ::access((folder / "mark").c_str(), F_OK) != 0 ? 1 : 0;
+  });
+  for (int version = 1; version <= 300; ++version) {
+    make(partial, version);
+    ASSERT_TRUE(ReplaceFolder(partial, folder).ok());
+    ASSERT_EQ(*ReadFile(folder / "mark", 10), std::to_string(version));
+    ASSERT_FALSE(fs::exists(partial));
+  }
+  ends = true;
+  reader.join();
+  EXPECT_EQ(missing_count, 0);
+  fs::remove_all(folder);
+  make(partial, 7);
+  EXPECT_TRUE(ReplaceFolder(partial, folder).ok()) << "nothing was there before";
+  EXPECT_EQ(*ReadFile(folder / "mark", 10), "7");
+  EXPECT_FALSE(ReplaceFolder(partial, folder).ok()) << "nothing to put there";
+  EXPECT_EQ(*ReadFile(folder / "mark", 10), "7");
 }
 
 TEST_F(PullTest, RefusesAServerThatSendsMoreThanItAnnounced) {
