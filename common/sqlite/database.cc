@@ -68,13 +68,17 @@ Result<Database> Database::Open(const std::filesystem::path& path, Access access
     FR_RETURN_IF_ERROR(database.Execute("PRAGMA wal_autocheckpoint=0; PRAGMA query_only=ON; PRAGMA cache_size=-4096"));
     return database;
   }
-  // The page size must be set before the first page is written. Checkpoints come after 16 MiB of log.
-  FR_RETURN_IF_ERROR(database.Execute("PRAGMA page_size=65536; PRAGMA secure_delete=ON").At(path.string()));
+  // The page size must be set before the first page is written. Checkpoints come after 16 MiB of log. Changing to the
+  // log takes a last rollback journal; EXTRA flushes the folder once that is removed, or a power cut much later could
+  // bring it back and undo all.
+  FR_RETURN_IF_ERROR(
+      database.Execute("PRAGMA page_size=65536; PRAGMA secure_delete=ON; PRAGMA synchronous=EXTRA").At(path.string()));
   FR_ASSIGN_OR_RETURN(Statement journal, database.Prepare("PRAGMA journal_mode=WAL"));
   FR_ASSIGN_OR_RETURN(const bool has_row, journal.Step());
   if (!has_row || journal.Text(0) != "wal") {
     return FailedPrecondition("DATABASE_NO_WAL", path.string() + ": the file system cannot hold a write-ahead log");
   }
+  journal.Reset();  // Only now the change is committed, still under EXTRA.
   FR_RETURN_IF_ERROR(database.Execute(
       "PRAGMA synchronous=FULL; PRAGMA foreign_keys=ON; PRAGMA wal_autocheckpoint=256; PRAGMA cache_size=-8192"));
   return database;
