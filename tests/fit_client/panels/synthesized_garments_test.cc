@@ -65,9 +65,11 @@ TEST_P(SynthesizedGarment, KeepsTheMeasuresThatItWasDrawnWith) {
     // The drawing rounds its bends by up to 1 %, and a mask's edge is known to a pixel and a half on both sides.
     EXPECT_NEAR(measure.value, truth, 0.015 * truth + 3.0 * front->metre_per_pixel) << measure.name;
   }
-  const Result<ClothMesh> mesh = MeshPattern(*pattern, 0.02);
-  ASSERT_TRUE(mesh.ok()) << mesh.status().ToString();
-  EXPECT_EQ(ComputeEulerCharacteristic(*mesh), ExpectedEulerCharacteristic(kind));
+  for (const double pitch : {0.02, 0.01, 0.005}) {
+    const Result<ClothMesh> mesh = MeshPattern(*pattern, pitch);
+    ASSERT_TRUE(mesh.ok()) << mesh.status().ToString();
+    EXPECT_EQ(ComputeEulerCharacteristic(*mesh), ExpectedEulerCharacteristic(kind));
+  }
 }
 
 }  // namespace
