@@ -97,8 +97,9 @@ Result<ForkProblem> StateProblem(const GarmentPattern& pattern, const Panels& ha
                                   panels::ChainLength(halves.front_right.outseam.points));
     FR_ASSIGN_OR_RETURN(const panels::SideFold fold, panels::MeasureSideFold(*evidence.side_folded, outseam));
     problem.thigh_girth = {fold.thigh_girth, Provenance::kMeasured};
-    // Both curves lie on each other; the one that reaches higher is seen.
-    const double step = std::abs(halves.front_left.waist.points.back().y() - halves.back_left.waist.points.back().y());
+    // Both curves lie on each other; of both waists the back's, cut higher, is seen. One that looks lower only lies so.
+    const double step =
+        std::max(0.0, halves.back_left.waist.points.back().y() - halves.front_left.waist.points.back().y());
     problem.crotch_length = {2.0 * fold.curve_length - step, Provenance::kMeasured};
   }
   const double leg = 2.0 * problem.leg_width;

@@ -38,6 +38,20 @@ panels::Polyline SmoothPart(const GarmentView& view, const Eigen::Vector2d& from
   return panels::SmoothSamples(part, std::max(2.0, 0.01 * static_cast<double>(part.size())));
 }
 
+// How far the outseam lies from the fork's tip, across the garment: square to the line between the outseam's ends. 0
+// where the tip lies above or below it.
+double AcrossFrom(const Eigen::Vector2d& tip, const panels::Polyline& outseam) {
+  const Eigen::Vector2d down = (outseam.back() - outseam.front()).normalized();
+  const double level = down.dot(tip - outseam.front());
+  for (size_t i = 1; i < outseam.size(); ++i) {
+    const double a = down.dot(outseam[i - 1] - outseam.front()), b = down.dot(outseam[i] - outseam.front());
+    if (a > level || b < level || b <= a) continue;
+    const Eigen::Vector2d beside = outseam[i - 1] + (level - a) / (b - a) * (outseam[i] - outseam[i - 1]);
+    return (beside - tip).norm();
+  }
+  return 0.0;
+}
+
 }  // namespace
 
 std::string_view ForkRuleName(ForkRule rule) { return kRuleNames[static_cast<size_t>(rule)]; }
@@ -114,10 +128,15 @@ Result<SideFold> MeasureSideFold(const GarmentView& view, double outseam_length)
                                " cm, the others one of " + std::to_string(outseam_length * 100.0) +
                                " cm; check its scale and the points waist_side and hem_outer");
   }
-  const double metre_per_pixel = view.metre_per_pixel * outseam_length / seen;
   const Polyline curve = SmoothPart(view, at("crotch"), at("waist_centre"));
   const Eigen::Vector2d tip = NearestPlace(view.outline, at("crotch")).pixel;
-  return SideFold{2.0 * DistanceToChain(tip, outseam) * metre_per_pixel, ChainLength(curve) * metre_per_pixel};
+  const double across = AcrossFrom(tip, outseam);
+  if (!(across > 0.0)) {
+    return InvalidArgument("POINT_MISSING",
+                           "side_folded: the outseam does not pass the crotch's height; check the points crotch, "
+                           "waist_side and hem_outer");
+  }
+  return SideFold{2.0 * across * view.metre_per_pixel, ChainLength(curve) * view.metre_per_pixel};
 }
 
 }  // namespace panels

@@ -17,11 +17,11 @@ ForkExtensions ExtensionsByRule(ForkRule rule, double garment_hip_girth);
 
 // What a side-folded photograph shows.
 struct SideFold {
-  double thigh_girth = 0.0;   // Twice the way across the leg from the fork's tip to the outseam (unit: metre).
+  double thigh_girth = 0.0;   // Twice the way across from the fork's tip to the outseam (unit: metre).
   double curve_length = 0.0;  // From the waist's middle to the fork's tip, freed of the outline's jitter (unit: metre).
 };
 
-// Measures a side-folded photograph, scaled so that its outseam has the pattern's length (unit: metre). Fails with
+// Measures a side-folded photograph by its own scale. `outseam_length` is the pattern's (unit: metre). Fails with
 // INVALID_ARGUMENT: POINT_MISSING, SIDE_FOLD_CONTRADICTS_LENGTH (the outseam disagrees by more than 15 %).
 Result<SideFold> MeasureSideFold(const GarmentView& view, double outseam_length);
 
