@@ -152,7 +152,10 @@ std::vector<LineSegment> MakeStitchLines(const ClothMesh& cloth, const std::vect
     const Eigen::Vector3d& from = positions[static_cast<size_t>(pair.a)];
     const Eigen::Vector3d& to = positions[static_cast<size_t>(pair.b)];
     if ((from - to).norm() <= kWeldedGap) continue;
-    if (!lines.empty() && (from - lines.back().from).norm() < kSpacing) continue;
+    // Pairs may come in any order, from several seams by turns.
+    const bool is_crowded = std::any_of(
+        lines.begin(), lines.end(), [&from](const LineSegment& line) { return (from - line.from).norm() < kSpacing; });
+    if (is_crowded) continue;
     lines.push_back({from, to, Colour(0.86F, 0.13F, 0.16F)});
   }
   return lines;

@@ -139,12 +139,14 @@ void main() {
     float rim = 0.10 * max(0.0, dot(n, kRim)) * shade;
     // Dark cloth swallows diffuse light, and with it every fold: what shows them there is the light that glances off
     // its fibres. The lighter the cloth, the less of it.
-    float darkness = 1.0 - min(1.0, 3.0 * dot(albedo, vec3(0.299, 0.587, 0.114)));
+    float lightness = dot(albedo, vec3(0.299, 0.587, 0.114));
+    float darkness = 1.0 - min(1.0, 3.0 * lightness);
+    vec3 fibre = min(vec3(2.0), (albedo + 0.004) / (lightness + 0.004));  // The cloth's own tint.
     float facing = clamp(n.z, 0.0, 1.0);
-    float sheen = 0.060 * pow(max(0.0, dot(n, normalize(kKey + vec3(0.0, 0.0, 1.0)))), 26.0) +
-                  0.040 * pow(max(0.0, dot(n, normalize(kFill + vec3(0.0, 0.0, 1.0)))), 26.0) +
-                  0.045 * pow(1.0 - facing, 2.5);
-    lit = albedo * Soften(light) + rim * (0.25 + 0.75 * albedo) + darkness * sheen * shade * vec3(0.95, 0.97, 1.0);
+    float sheen = 0.034 * pow(max(0.0, dot(n, normalize(kKey + vec3(0.0, 0.0, 1.0)))), 16.0) +
+                  0.022 * pow(max(0.0, dot(n, normalize(kFill + vec3(0.0, 0.0, 1.0)))), 16.0) +
+                  0.040 * pow(1.0 - facing, 2.5);
+    lit = albedo * Soften(light) + rim * (0.25 + 0.75 * albedo) + darkness * sheen * shade * mix(vec3(1.0), fibre, 0.6);
   } else {
     // The inside is lit by what comes through the cloth and back from skin and cloth, from everywhere.
     // Never black: a dark inside would look like a hole.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,8 +17,8 @@ namespace fitroom {
 namespace {
 
 constexpr double kBelowUnderarm = 0.015;  // The bust line of a flat garment lies this far below it (unit: metre).
-constexpr double kBelowTopEdge = 0.01;    // So does a bottom's waist line below its upper edge (unit: metre).
-constexpr double kAboveHem = 0.01;        // (unit: metre)
+constexpr double kBelowTopEdge = 0.01;  // The cloth of a bottom's waist lies round this, below its edge (unit: metre).
+constexpr double kAboveHem = 0.01;      // (unit: metre)
 constexpr double kZoneHalfHeight = 0.04;  // Of the cloth that counts as a zone's (unit: metre).
 constexpr double kBelowArmpit = 0.05;     // Where the upper arm is measured, along the arm (unit: metre).
 constexpr double kSleeveReach = 0.2;      // Of the cut round the arm (unit: metre).
@@ -55,8 +56,11 @@ class Assessor {
  private:
   void MakeMaps(FitMaps& maps) {
     for (const TriangleStrain& strain : strains_) maps.strain.push_back(strain.largest);
-    contact_pressures_ = ContactForcePressure(cloth_, positions_, *input_.fabric, input_.gravity);
-    maps.pressure = LaplacePressure(cloth_, positions_, strains_, input_.fabric->stretch_stiffness);
+    // The cloth was draped softer than a stiff fabric is, and its tension is that of the drape.
+    Fabric draped = *input_.fabric;
+    draped.stretch_stiffness = DrapeMaterial(draped).stretch_stiffness;
+    contact_pressures_ = ContactForcePressure(cloth_, positions_, draped, input_.gravity);
+    maps.pressure = LaplacePressure(cloth_, positions_, strains_, draped.stretch_stiffness);
     is_touching_.assign(positions_.size(), true);
     if (input_.surface != nullptr) {
       for (size_t i = 0; i < positions_.size(); ++i) {
@@ -163,14 +167,23 @@ class Assessor {
       zone.fit.note = "the garment's waist is not known";
       return zone;
     }
-    const GarmentLine line = MeasureLine(cloth_, positions_, *heights);
+    std::vector<int> edge;
+    for (const std::string_view name :
+         {"front/e1", "front/e3", "front/waist_centre", "back/e1", "back/e3", "back/waist_centre"}) {
+      edge.push_back(FindParticle(name));
+    }
+    const GarmentLine line = MeasureOpening(cloth_, positions_, edge);
     zone.fit.body_girth = body_.measurements.waist.girth;
     // Where a waistband lies below the waist the body is wider; far below, the garment was not put on at all.
-    const double hip_height = body_.measurements.hip.height;
-    if (line.found && line.height > hip_height) {
+    if (line.found && line.height > body_.measurements.hip.height) {
       zone.fit.body_girth = tape_.TrunkAt(line.height).value_or(zone.fit.body_girth);
     }
     TakeLine(*heights, 1, "waist", zone);
+    if (line.found && zone.has_line) {
+      zone.fit.garment_girth = line.flat_girth;
+      zone.fit.worn_girth = line.worn_girth;
+      zone.fit.height = line.height;
+    }
     return zone;
   }
 
@@ -284,6 +297,14 @@ class Assessor {
     return std::abs(cloth_.rest_positions[corner].y() - line) < kZoneHalfHeight;
   }
 
+  // Where the body is wider than the garment it forces the strain upon the cloth, however stiff that is: what a stiff
+  // fabric presses there beyond the drape's softer cloth, T / r on a body as round as its girth (unit: Pa).
+  double ImposedPressure(const ZoneFit& fit) const {
+    const double missing = input_.fabric->stretch_stiffness - DrapeMaterial(*input_.fabric).stretch_stiffness;
+    if (fit.zone == FitZone::kShoulder || !(fit.body_girth > 0.0)) return 0.0;
+    return missing * fit.needed_strain() * 2.0 * std::numbers::pi / fit.body_girth;
+  }
+
   void AddCloth(ZoneLine& zone, const FitMaps& maps) const {
     std::vector<std::pair<double, double>> strain_and_area;
     double area = 0.0;
@@ -320,8 +341,9 @@ class Assessor {
     fit.contact_share = touching_area / area;
     if (touching_area > 0.0) {
       // Single particles push and pull by turns; their mean is what presses.
-      fit.laplace_pressure = std::max(0.0, fit.laplace_pressure / touching_area);
-      fit.contact_pressure = std::max(0.0, fit.contact_pressure / touching_area);
+      const double imposed = ImposedPressure(fit);
+      fit.laplace_pressure = imposed + std::max(0.0, fit.laplace_pressure / touching_area);
+      fit.contact_pressure = imposed + std::max(0.0, fit.contact_pressure / touching_area);
     }
     std::sort(strain_and_area.begin(), strain_and_area.end());
     double below = 0.0;

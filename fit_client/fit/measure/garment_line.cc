@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace fitroom {
 namespace {
@@ -126,6 +128,55 @@ GarmentLine MeasureSleeve(const ClothMesh& cloth, const std::vector<Eigen::Vecto
     if (!piece || (piece->worn[0] - origin).norm() > reach) continue;
     Add(*piece, line);
   }
+  Conclude(line);
+  return line;
+}
+
+GarmentLine MeasureOpening(const ClothMesh& cloth, const std::vector<Eigen::Vector3d>& positions,
+                           const std::vector<int>& particles) {
+  GarmentLine line;
+  if (positions.size() != cloth.rest_positions.size()) return line;
+  std::map<std::pair<int, int>, int> uses;
+  for (const Eigen::Vector3i& t : cloth.triangles) {
+    for (int k = 0; k < 3; ++k) ++uses[std::minmax(t[k], t[(k + 1) % 3])];
+  }
+  std::vector<bool> is_sewn(positions.size(), false);
+  for (const SeamPair& pair : cloth.seams) {
+    is_sewn[static_cast<size_t>(pair.a)] = true;
+    is_sewn[static_cast<size_t>(pair.b)] = true;
+  }
+  // Each particle of an open border has one or two neighbours on it.
+  std::map<int, std::vector<int>> along;
+  for (const auto& [edge, count] : uses) {
+    const bool is_seam = is_sewn[static_cast<size_t>(edge.first)] && is_sewn[static_cast<size_t>(edge.second)];
+    if (count != 1 || is_seam) continue;
+    along[edge.first].push_back(edge.second);
+    along[edge.second].push_back(edge.first);
+  }
+  std::vector<bool> reached(positions.size(), false);
+  std::vector<int> next;
+  for (const int particle : particles) {
+    if (particle < 0 || static_cast<size_t>(particle) >= positions.size()) continue;
+    if (along.contains(particle) && !reached[static_cast<size_t>(particle)]) {
+      reached[static_cast<size_t>(particle)] = true;
+      next.push_back(particle);
+    }
+  }
+  for (size_t k = 0; k < next.size(); ++k) {
+    const auto a = static_cast<size_t>(next[k]);
+    for (const int other : along[next[k]]) {
+      const auto b = static_cast<size_t>(other);
+      // Every edge is met from both its ends: half of it each time.
+      Add({{cloth.rest_positions[a], cloth.rest_positions[b]}, {positions[a], positions[b]}}, line);
+      if (!reached[b]) {
+        reached[b] = true;
+        next.push_back(other);
+      }
+    }
+  }
+  line.worn_girth *= 0.5;
+  line.flat_girth *= 0.5;
+  line.height *= 0.5;
   Conclude(line);
   return line;
 }

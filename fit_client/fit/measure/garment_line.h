@@ -39,6 +39,11 @@ std::optional<LineHeights> FindLineAt(const ClothMesh& cloth, const std::vector<
 GarmentLine MeasureSleeve(const ClothMesh& cloth, const std::vector<Eigen::Vector3d>& positions,
                           const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double reach, bool left);
 
+// Returns the edge of the opening on which these particles lie: a waist, from its corners. Along the panels' borders
+// that are sewn to nothing, both panels' together. Not found where no such border meets the particles.
+GarmentLine MeasureOpening(const ClothMesh& cloth, const std::vector<Eigen::Vector3d>& positions,
+                           const std::vector<int>& particles);
+
 // Returns how much of a triangle belongs to a sleeve, 0 to 1; 0 where nobody knows.
 double SleevePart(const ClothMesh& cloth, const Eigen::Vector3i& triangle, bool left);
 

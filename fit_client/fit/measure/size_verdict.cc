@@ -86,8 +86,8 @@ ZoneVerdict JudgeZone(const VerdictInput& input, const ZoneFit& fit, const EaseB
     verdict.reason = TightReason(input, fit, band);
   } else if (ease > band.most) {
     verdict.verdict = FitVerdict::kLoose;
-    verdict.amount =
-        IsBottom(input.kind) && fit.zone == FitZone::kWaist ? ease - std::max(band.least, 0.0) : ease - band.most;
+    // A belt takes in all that the waist is wider than the body.
+    verdict.amount = IsBottom(input.kind) && fit.zone == FitZone::kWaist ? ease : ease - band.most;
     verdict.reason = LooseReason(input, fit, band, verdict.amount);
   }
   return verdict;

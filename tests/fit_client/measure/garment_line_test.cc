@@ -1,5 +1,6 @@
 #include "fit_client/fit/measure/garment_line.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -67,6 +68,26 @@ TEST(GarmentLine, LeavesSleevesOut) {
       MeasureSleeve(band.cloth, band.worn, {0.15, 1.0, 0.0}, Eigen::Vector3d::UnitY(), 0.2, true);
   EXPECT_NEAR(sleeve.flat_girth, left_out, 0.025);
   EXPECT_FALSE(MeasureSleeve(band.cloth, band.worn, {0.15, 1.0, 0.0}, Eigen::Vector3d::UnitY(), 0.2, false).found);
+}
+
+TEST(GarmentLine, OfAnOpeningIsItsEdge) {
+  const Band band = MakeBand(0.15, 0.3, 0.08, 0.0, 0.01);
+  std::vector<int> upper;
+  double top = -1.0;
+  for (const Eigen::Vector3d& rest : band.cloth.rest_positions) top = std::max(top, rest.y());
+  for (size_t i = 0; i < band.worn.size(); ++i) {
+    // One particle of each panel's upper edge, not a corner.
+    const bool is_middle = std::abs(band.cloth.rest_positions[i].x()) < 0.006;
+    if (band.cloth.rest_positions[i].y() == top && is_middle) upper.push_back(static_cast<int>(i));
+  }
+  ASSERT_GE(upper.size(), 2U);
+  const GarmentLine edge = MeasureOpening(band.cloth, band.worn, upper);
+  ASSERT_TRUE(edge.found);
+  EXPECT_NEAR(edge.flat_girth, 2.0 * kPi * 0.15 / 1.08, 1e-9);
+  EXPECT_NEAR(edge.worn_girth, 2.0 * kPi * 0.15, 5e-4);
+  EXPECT_NEAR(edge.height, 1.0 + top, 1e-9);
+  EXPECT_FALSE(MeasureOpening(band.cloth, band.worn, {-1}).found);
+  EXPECT_FALSE(MeasureOpening(band.cloth, {}, upper).found);
 }
 
 }  // namespace

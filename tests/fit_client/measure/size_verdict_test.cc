@@ -52,7 +52,7 @@ TEST(SizeVerdict, SaysWhatAShopperUnderstands) {
   EXPECT_EQ(verdict.verdict, FitVerdict::kDoesNotFit);
   EXPECT_EQ(verdict.reason, "does not close by 18 mm at the hip");
 
-  VerdictInput wide = Trousers(0.073, 0.06, 0.05);
+  VerdictInput wide = Trousers(0.06, 0.06, 0.05);
   wide.facts.is_belted = true;
   verdict = JudgeSize(wide);
   EXPECT_EQ(verdict.verdict, FitVerdict::kLoose);
