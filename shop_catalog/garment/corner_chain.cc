@@ -101,6 +101,17 @@ double CornerCost(const CornerModel& model, double turn, double across, double d
   return 0.6 * model.turn_deg.Cost(turn / kDegree) + 0.5 * model.across.Cost(across) + 0.5 * model.down.Cost(down);
 }
 
+// The piece that joins the chain's ends, the hem of a top or the waist of a bottom, is as straight as any: legs are no
+// hem.
+double ClosingCost(const CornerTemplate& chain, const Polygon& samples, const ChainResult& result, double step) {
+  const int n = static_cast<int>(samples.size());
+  const int first = result.sample.front(), last = result.sample.back();
+  const double arc = step * ((first - last + n) % n);
+  const double chord = (samples[static_cast<size_t>(first)] - samples[static_cast<size_t>(last)]).norm();
+  const double winding = std::max(chain.closing_winding.mean, arc / std::max(chord, step));
+  return 0.7 * chain.closing_winding.Cost(winding, 30.0);
+}
+
 // Finds the cheapest chain of corners under one tilt, by dynamic programming over the samples in clockwise order.
 ChainResult FindChain(const CornerTemplate& chain, const Polygon& samples, const std::vector<double>& turns,
                       const Eigen::Vector2d& centre, double tilt) {
@@ -165,6 +176,7 @@ ChainResult FindChain(const CornerTemplate& chain, const Polygon& samples, const
     result.corner_cost[c] = CornerCost(chain.corners[c], turns[at], upright.across[at], upright.down[at]);
     index = from[c][static_cast<size_t>(index)];
   }
+  result.cost += ClosingCost(chain, samples, result, step * upright.height);
   return result;
 }
 
@@ -233,7 +245,7 @@ constexpr std::array<double, 11> kTiltsDeg = {0.0, -8.0, 8.0, -16.0, 16.0, -24.0
 CornerTemplate FromBottom(std::string name, const std::vector<CornerModel>& left, const std::vector<PieceModel>& pieces,
                           const PieceModel& across_middle) {
   FR_CHECK(pieces.size() + 1 == left.size());
-  CornerTemplate made{std::move(name), left, pieces, /*starts_at_top=*/false};
+  CornerTemplate made{std::move(name), left, pieces, /*starts_at_top=*/false, {1.06, 0.10}};
   AppendMirrored(made.corners, left, 0);
   made.pieces.push_back(across_middle);
   AppendMirrored(made.pieces, pieces, 0);
@@ -242,7 +254,7 @@ CornerTemplate FromBottom(std::string name, const std::vector<CornerModel>& left
 
 CornerTemplate FromTop(std::string name, const std::vector<CornerModel>& left, const std::vector<PieceModel>& pieces) {
   FR_CHECK(pieces.size() + 1 == left.size());
-  CornerTemplate made{std::move(name), {}, {}, /*starts_at_top=*/true};
+  CornerTemplate made{std::move(name), {}, {}, /*starts_at_top=*/true, {1.06, 0.10}};
   AppendMirrored(made.corners, left, 1);
   made.corners.insert(made.corners.end(), left.begin(), left.end());
   AppendMirrored(made.pieces, pieces, 0);
@@ -253,7 +265,7 @@ CornerTemplate FromTop(std::string name, const std::vector<CornerModel>& left, c
 CornerTemplate FromTop(std::string name, const std::vector<CornerModel>& left, const std::vector<PieceModel>& pieces,
                        const PieceModel& across_middle) {
   FR_CHECK(pieces.size() + 1 == left.size());
-  CornerTemplate made{std::move(name), {}, {}, /*starts_at_top=*/true};
+  CornerTemplate made{std::move(name), {}, {}, /*starts_at_top=*/true, {1.06, 0.10}};
   AppendMirrored(made.corners, left, 0);
   made.corners.insert(made.corners.end(), left.begin(), left.end());
   AppendMirrored(made.pieces, pieces, 0);

@@ -45,8 +45,9 @@ struct PieceModel {
 struct CornerTemplate {
   std::string name;  // Of the pose, for logs.
   std::vector<CornerModel> corners;
-  std::vector<PieceModel> pieces;  // One less than corners.
-  bool starts_at_top = false;      // The chain begins after the top of the middle line, else after its bottom.
+  std::vector<PieceModel> pieces;           // One less than corners.
+  bool starts_at_top = false;               // The chain begins after the top of the middle line, else after its bottom.
+  Expected closing_winding = {1.06, 0.10};  // Arc length over chord from the last corner to the first.
 };
 
 // Makes the whole chain from the left half, in the order in which the outline passes it from the bottom up;

@@ -32,7 +32,8 @@ CornerTemplate TrouserTemplate() {
            {{180, 22}, {0.19, 0.06}, {1.03, 0.08}},
            {{-96, 10}, {0.72, 0.09}, {1.03, 0.05}},
            {{-72, 16}, {0.28, 0.08}, {1.12, 0.12}}},
-          /*starts_at_top=*/true};
+          /*starts_at_top=*/true,
+          {1.06, 0.10}};
 }
 
 CornerTemplate ShortsTemplate() {
@@ -46,7 +47,8 @@ CornerTemplate ShortsTemplate() {
            {{180, 18}, {0.72, 0.14}, {1.03, 0.06}},
            {{-100, 25}, {0.34, 0.16}, {1.05, 0.10}},
            {{-72, 20}, {0.68, 0.14}, {1.12, 0.12}}},
-          /*starts_at_top=*/true};
+          /*starts_at_top=*/true,
+          {1.06, 0.10}};
 }
 
 // The outline from one place to another, clockwise, with both ends.
