@@ -87,6 +87,16 @@ Status AddStated(const PublishOptions& options, GarmentKind kind, ShopStatement&
   return ValidateShopStatement(kind, stated);
 }
 
+// Returns the length that the chart states for the photographed size, 0 where it does not (unit: metre).
+double ChartLength(const SizeChart& chart) {
+  const GarmentSize* size = FindSize(chart, chart.photographed_size);
+  if (size == nullptr) return 0.0;
+  for (const char* name : {"length", "front_length"}) {
+    if (const GarmentMeasure* measure = FindMeasure(size->measures, name)) return measure->value;
+  }
+  return 0.0;
+}
+
 Status AddPhoto(GarmentSide side, const fs::path& path, GarmentUploadStatement& statement,
                 std::vector<std::string>& photos) {
   FR_ASSIGN_OR_RETURN(std::string bytes, ReadFile(path, static_cast<size_t>(kMaxPhotoSize)));
@@ -110,15 +120,16 @@ Status MakeStatement(PublishOptions options, GarmentUploadStatement& statement, 
   if (!IsResourceId(options.id)) {
     return InvalidArgument("ID_INVALID", "state the garment's id with --id: 1 to 63 of a-z, 0-9 and -");
   }
-  if (!(options.length_cm > 0)) {
-    return InvalidArgument("LENGTH_MISSING", "state the garment's length with --length-cm; the scale comes from it");
-  }
   if (options.front.empty()) return InvalidArgument("FRONT_MISSING", "state the front photograph with --front");
   statement.id = options.id;
   statement.title = options.title.empty() ? options.id : options.title;
   statement.kind = *kind;
-  statement.length = options.length_cm / 100;
   FR_RETURN_IF_ERROR(AddStated(options, *kind, statement.stated));
+  statement.length = options.length_cm > 0 ? options.length_cm / 100 : ChartLength(statement.stated.chart);
+  if (!(statement.length > 0)) {
+    return InvalidArgument("LENGTH_MISSING",
+                           "state the garment's length with --length-cm, or in the chart; the scale comes from it");
+  }
   FR_RETURN_IF_ERROR(AddPhoto(GarmentSide::kFront, options.front, statement, photos));
   if (!options.back.empty()) FR_RETURN_IF_ERROR(AddPhoto(GarmentSide::kBack, options.back, statement, photos));
   if (!options.side_folded.empty()) {
@@ -158,8 +169,9 @@ void AddPublishCommand(CLI::App& app, int& exit_code) {
   command
       ->add_option("--kind", options->kind, "tshirt, long_sleeve, one_piece, one_piece_sleeved, skirt, pants or shorts")
       ->capture_default_str();
-  command->add_option("--length-cm", options->length_cm,
-                      "From the highest shoulder point, or the waist, to the hem, laid flat");
+  command->add_option(
+      "--length-cm", options->length_cm,
+      "From the highest shoulder point, or the waist, to the hem, laid flat; may stand in the chart instead");
   command->add_option("--fabric", options->fabric, "jersey (if not given), woven, denim or stretch");
   command->add_option("--measure", options->measures,
                       "NAME=CM, a flat measure by tape, for example front_rise=24.5; may be repeated");
