@@ -31,6 +31,11 @@ struct FitFlags {
   bool no_pictures = false;
   bool no_model = false;
   bool meshes = false;
+  bool maps = false;
+  bool film = false;
+  bool all_sizes = false;
+  bool no_self_collision = false;
+  std::string fork;
 };
 
 Result<BodyInput> LoadBody(const FitFlags& flags) {
@@ -87,6 +92,41 @@ Result<std::vector<Layer>> MakeLayers(const FitFlags& flags, const std::vector<G
   return layers;
 }
 
+Result<FitOptions> MakeOptions(const FitFlags& flags) {
+  FitOptions options;
+  options.pitch = flags.pitch_cm * 0.01;
+  options.dressing.drape.self_collision = !flags.no_self_collision;
+  if (!flags.fork.empty()) {
+    options.fork_rule = ForkRuleFromName(flags.fork);
+    if (!options.fork_rule) {
+      return InvalidArgument("FORK_RULE_UNKNOWN", "\"" + flags.fork +
+                                                      "\" is no drafting rule; take close, trouser, "
+                                                      "classic, aldrich, titan or garment_code");
+    }
+  }
+  return options;
+}
+
+// Dresses the body in every size, draws them side by side and returns the one to take.
+Result<Outfit> FitBestOfAllSizes(const FitFlags& flags, const BodyInput& body,
+                                 const std::vector<GarmentInput>& garments, const FitOptions& options,
+                                 Executor& executor, Stopwatch& stopwatch, const ProgressSink& progress) {
+  if (garments.size() != 1 || !flags.sizes.empty()) {
+    return InvalidArgument("ONE_GARMENT_ONLY", "--all-sizes takes a single --garment and no --size");
+  }
+  FR_ASSIGN_OR_RETURN(std::vector<Outfit> sizes,
+                      FitAllSizes(body, garments.front(), options, executor, stopwatch, progress));
+  if (!flags.no_pictures) {
+    FR_RETURN_IF_ERROR(WriteSizeSheet(flags.out, sizes, executor.thread_count()));
+    stopwatch.Lap("sheet of sizes");
+  }
+  const std::string best = sizes.front().garments.front().report.recommendation->size;
+  for (Outfit& outfit : sizes) {
+    if (outfit.garments.front().cut.size == best) return std::move(outfit);
+  }
+  return std::move(sizes.front());
+}
+
 Status RunFit(const FitFlags& flags) {
   Stopwatch stopwatch;
   ThreadPool executor(flags.threads > 0 ? flags.threads : AvailableThreadCount());
@@ -98,14 +138,17 @@ Status RunFit(const FitFlags& flags) {
   FR_ASSIGN_OR_RETURN(const std::vector<GarmentInput> garments, LoadGarments(flags));
   FR_ASSIGN_OR_RETURN(const std::vector<Layer> layers, MakeLayers(flags, garments));
   stopwatch.Lap("garment");
-  FitOptions options;
-  options.pitch = flags.pitch_cm * 0.01;
-  FR_ASSIGN_OR_RETURN(Outfit outfit, FitOutfit(body, layers, options, executor, stopwatch, progress));
+  FR_ASSIGN_OR_RETURN(const FitOptions options, MakeOptions(flags));
+  FR_ASSIGN_OR_RETURN(Outfit outfit,
+                      flags.all_sizes ? FitBestOfAllSizes(flags, body, garments, options, executor, stopwatch, progress)
+                                      : FitOutfit(body, layers, options, executor, stopwatch, progress));
   for (FittedGarment& worn : outfit.garments) worn.report.program_version = FITROOM_VERSION;
   FitOutputOptions outputs;
   outputs.pictures = !flags.no_pictures;
   outputs.glb = !flags.no_model;
   outputs.meshes = flags.meshes;
+  outputs.maps = flags.maps;
+  outputs.film = flags.film;
   outputs.thread_count = executor.thread_count();
   FR_RETURN_IF_ERROR(WriteFitOutputs(flags.out, body, outfit, outputs, stopwatch, progress));
   const std::string text = flags.json ? OutfitJson(outfit) : OutfitText(outfit);
@@ -142,6 +185,14 @@ void AddFitCommand(CLI::App& app, int& exit_code) {
   command->add_option("--threads", flags->threads, "Threads; 0: as many as this computer offers")
       ->check(CLI::Range(0, 64))
       ->capture_default_str();
+  command->add_flag("--all-sizes", flags->all_sizes,
+                    "Fit every size of the garment's chart, draw them side by side (sizes.png) and keep the best");
+  command->add_option("--fork", flags->fork,
+                      "Drafting rule for the fork of trousers where nothing tells of it: close, trouser, classic, "
+                      "aldrich, titan or garment_code");
+  command->add_flag("--maps", flags->maps, "Also draw maps of strain, pressure and gap");
+  command->add_flag("--film", flags->film, "Also draw a film of the dressing (dressing.webp)");
+  command->add_flag("--no-self-collision", flags->no_self_collision, "Let the cloth pass through itself: faster");
   command->add_flag("--json", flags->json, "Print the report as JSON");
   command->add_flag("--no-pictures", flags->no_pictures, "Do not draw");
   command->add_flag("--no-model", flags->no_model, "Do not write the GLB");

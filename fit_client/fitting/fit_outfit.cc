@@ -40,7 +40,7 @@ Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers
     FittedGarment worn;
     worn.input = layer.garment;
     const Garment& garment = layer.garment->garment;
-    Result<CutGarment> cut = CutGarmentToSize(garment, {options.pitch, layer.size, {}});
+    Result<CutGarment> cut = CutGarmentToSize(garment, {options.pitch, layer.size, options.fork_rule});
     if (!cut.ok()) return cut.status().At(garment.id);
     worn.cut = std::move(cut).value();
     DescribeInputs(body, garment, worn.cut, worn.report);
@@ -48,8 +48,10 @@ Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers
     stopwatch.Lap("panels");
 
     const auto dressing = [&](double done) { report_progress("dressing", begin + share * (0.05 + 0.95 * done)); };
+    DressingOptions dressing_options = options.dressing;
+    dressing_options.drape.material = DrapeMaterial(FabricOf(garment));
     Result<Dressing> dressed =
-        DressGarment(worn.cut.cloth, garment.kind, {body.body, outfit.body_surface, worn_already}, options.dressing,
+        DressGarment(worn.cut.cloth, garment.kind, {body.body, outfit.body_surface, worn_already}, dressing_options,
                      executor, dressing);
     if (!dressed.ok()) return dressed.status().At(garment.id);
     worn.stages = std::move(dressed->stages);
@@ -69,6 +71,32 @@ Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers
     outfit.garments.push_back(std::move(worn));
   }
   return outfit;
+}
+
+Result<std::vector<Outfit>> FitAllSizes(const BodyInput& body, const GarmentInput& garment, const FitOptions& options,
+                                        Executor& executor, Stopwatch& stopwatch, const ProgressSink& progress) {
+  const std::vector<GarmentSize>& sizes = garment.garment.chart.sizes;
+  if (sizes.empty()) {
+    return FailedPrecondition("CHART_MISSING", garment.garment.id +
+                                                   " was published without a size chart; fit the "
+                                                   "photographed size alone");
+  }
+  std::vector<Outfit> outfits;
+  std::vector<SizeVerdict> verdicts;
+  for (size_t i = 0; i < sizes.size(); ++i) {
+    const ProgressSink part = [&](std::string_view stage, double done) {
+      if (progress) progress(stage, 0.8 * (static_cast<double>(i) + done) / static_cast<double>(sizes.size()));
+    };
+    Result<Outfit> outfit = FitOutfit(body, {{&garment, sizes[i].name}}, options, executor, stopwatch, part);
+    if (!outfit.ok()) return outfit.status().At("size " + sizes[i].name);
+    verdicts.push_back(*outfit->garments.front().report.verdict);
+    outfits.push_back(std::move(outfit).value());
+  }
+  for (Outfit& outfit : outfits) {
+    outfit.garments.front().report.sizes = verdicts;
+    outfit.garments.front().report.recommendation = Recommend(verdicts);
+  }
+  return outfits;
 }
 
 }  // namespace fitroom

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,9 @@ struct Layer {
 };
 
 struct FitOptions {
-  double pitch = 0.01;  // Edge length of the cloth meshes (unit: metre).
-  DressingOptions dressing;
+  double pitch = 0.01;                // Edge length of the cloth meshes (unit: metre).
+  std::optional<ForkRule> fork_rule;  // See CutOptions.
+  DressingOptions dressing;           // The material is that of each garment's fabric.
 };
 
 // A garment as it is worn.
@@ -47,5 +49,11 @@ struct Outfit {
 // report says how it ended. `layers` and what they point to must outlive the outfit.
 Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers, const FitOptions& options,
                          Executor& executor, Stopwatch& stopwatch, const ProgressSink& progress);
+
+// Dresses `body` in every size of the garment's chart, the smallest first, each alone. Each report then holds the
+// verdicts of all sizes as worn and which one to take. FAILED_PRECONDITION (CHART_MISSING) for a garment without a
+// chart; a size that cannot be cut or dressed at all ends the whole, the message names it.
+Result<std::vector<Outfit>> FitAllSizes(const BodyInput& body, const GarmentInput& garment, const FitOptions& options,
+                                        Executor& executor, Stopwatch& stopwatch, const ProgressSink& progress);
 
 }  // namespace fitroom

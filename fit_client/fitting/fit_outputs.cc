@@ -1,15 +1,22 @@
 #include "fit_client/fitting/fit_outputs.h"
 
+#include <cctype>
+#include <cstdio>
 #include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "common/base/file.h"
+#include "common/image/encode.h"
 #include "common/scan_file/obj_writer.h"
+#include "fit_client/fitting/judge_fit.h"
+#include "fit_client/render/film.h"
+#include "fit_client/render/fit_map.h"
 #include "fit_client/render/glb_writer.h"
 #include "fit_client/render/pictures.h"
 #include "fit_client/render/scene.h"
+#include "fit_client/render/size_sheet.h"
 
 namespace fitroom {
 namespace {
@@ -20,6 +27,12 @@ Status MakeFolder(const std::filesystem::path& folder) {
   if (!error) return Status();
   return FailedPrecondition("FOLDER_NOT_WRITABLE",
                             folder.string() + ": " + error.message() + "; name another folder with --out");
+}
+
+// What pictures can write.
+std::string Capitals(std::string text) {
+  for (char& letter : text) letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+  return text;
 }
 
 // Writes files and keeps the list of them, which goes into the reports.
@@ -58,6 +71,39 @@ Status WriteMeshes(const FittedGarment& worn, const std::string& suffix, FolderW
   return writer.Write("seams" + suffix + ".txt", "sewn pairs of vertices", pairs);
 }
 
+render::GarmentShape ShapeOf(const FittedGarment& worn) {
+  return {&worn.cut.cloth, worn.stages.final, &worn.input->front_texture, BackTexture(worn), /*opacity=*/1.0F};
+}
+
+// What is worn below the outermost garment.
+std::vector<render::GarmentShape> InnerShapes(const Outfit& outfit) {
+  std::vector<render::GarmentShape> shapes;
+  for (size_t i = 0; i + 1 < outfit.garments.size(); ++i) shapes.push_back(ShapeOf(outfit.garments[i]));
+  return shapes;
+}
+
+// One moment of the dressing.
+struct Moment {
+  const char* name;
+  const char* title;  // In capitals, which is what pictures write.
+  const std::vector<Eigen::Vector3d>* positions;
+  bool is_open;         // Its seams are not sewn yet.
+  double film_seconds;  // When the film shows it.
+};
+
+// The moments that a garment went through; tops have fewer.
+std::vector<Moment> MomentsOf(const DressingStages& stages) {
+  const std::vector<Moment> all = {
+      {"start", "START", &stages.start, false, 0.0},          {"merging", "MERGING", &stages.merging, true, 1.2},
+      {"stitched", "STITCHED", &stages.stitched, false, 2.4}, {"pulled_up", "PULLED UP", &stages.pulled_up, false, 3.4},
+      {"belted", "BELTED", &stages.belted, false, 4.0},       {"final", "FINAL", &stages.final, false, 5.0}};
+  std::vector<Moment> moments;
+  for (const Moment& moment : all) {
+    if (!moment.positions->empty()) moments.push_back(moment);
+  }
+  return moments;
+}
+
 // The pictures of the outermost garment's fit, with what is worn below it.
 Status WritePictures(const render::DisplayBody& display, const Outfit& outfit, int thread_count, FolderWriter& writer) {
   const FittedGarment& worn = outfit.garments.back();
@@ -66,10 +112,11 @@ Status WritePictures(const render::DisplayBody& display, const Outfit& outfit, i
   request.cloth = &worn.cut.cloth;
   request.front_texture = &worn.input->front_texture;
   request.back_texture = BackTexture(worn);
-  request.stages = {{"start", "1 START", worn.stages.start, false},
-                    {"merging", "2 MERGING", worn.stages.merging, true},
-                    {"stitched", "3 STITCHED", worn.stages.stitched, false},
-                    {"final", "4 FINAL", worn.stages.final, false}};
+  request.others = InnerShapes(outfit);
+  for (const Moment& moment : MomentsOf(worn.stages)) {
+    const std::string number = std::to_string(request.stages.size() + 1);
+    request.stages.push_back({moment.name, number + " " + moment.title, *moment.positions, moment.is_open});
+  }
   request.thread_count = thread_count;
   FR_ASSIGN_OR_RETURN(const std::vector<render::NamedPicture> pictures, render::DrawFitPictures(request));
   for (const render::NamedPicture& picture : pictures) {
@@ -78,13 +125,51 @@ Status WritePictures(const render::DisplayBody& display, const Outfit& outfit, i
   return Status();
 }
 
+Status WriteMaps(const render::DisplayBody& display, const Outfit& outfit, FolderWriter& writer) {
+  const FittedGarment& worn = outfit.garments.back();
+  const Fabric& fabric = FabricOf(worn.input->garment);
+  render::FitMapRequest request;
+  request.body = &display;
+  request.cloth = &worn.cut.cloth;
+  request.positions = worn.stages.final;
+  request.others = InnerShapes(outfit);
+  const auto write = [&](const std::string& name, const std::string& description, const std::vector<double>& values,
+                         render::MapScale scale) -> Status {
+    if (values.empty()) return Status();
+    request.values = values;
+    request.scale = std::move(scale);
+    FR_ASSIGN_OR_RETURN(const Image picture, render::DrawFitMap(request));
+    return writer.Write(name, description, EncodePng(picture));
+  };
+  FR_RETURN_IF_ERROR(write("map_strain.png", "how much the cloth is stretched", worn.maps.strain,
+                           render::StrainScale(fabric.tight_strain(), fabric.limit_strain())));
+  FR_RETURN_IF_ERROR(
+      write("map_pressure.png", "how hard the cloth presses", worn.maps.pressure, render::PressureScale()));
+  return write("map_gap.png", "how far the cloth stands off", worn.maps.gap, render::GapScale());
+}
+
+Status WriteFilm(const render::DisplayBody& display, const Outfit& outfit, int thread_count, FolderWriter& writer) {
+  const FittedGarment& worn = outfit.garments.back();
+  render::FilmRequest request;
+  request.body = &display;
+  request.cloth = &worn.cut.cloth;
+  request.front_texture = &worn.input->front_texture;
+  request.back_texture = BackTexture(worn);
+  request.others = InnerShapes(outfit);
+  for (const Moment& moment : MomentsOf(worn.stages)) {
+    request.keys.push_back({moment.film_seconds, moment.title, *moment.positions, moment.is_open});
+  }
+  request.thread_count = thread_count;
+  FR_ASSIGN_OR_RETURN(const std::string film, render::DrawDressingFilm(request));
+  return writer.Write("dressing.webp", "film of the dressing", film);
+}
+
 Status WriteModel(const render::DisplayBody& display, const Outfit& outfit, FolderWriter& writer) {
   render::Scene scene;
   scene.body = &display;
   std::string title;
   for (const FittedGarment& worn : outfit.garments) {
-    scene.garments.push_back(
-        {&worn.cut.cloth, worn.stages.final, &worn.input->front_texture, BackTexture(worn), /*opacity=*/1.0F});
+    scene.garments.push_back(ShapeOf(worn));
     title += (title.empty() ? "" : ", ") + worn.input->garment.title;
   }
   FR_ASSIGN_OR_RETURN(const std::string glb, render::WriteGlb(scene, title));
@@ -92,6 +177,35 @@ Status WriteModel(const render::DisplayBody& display, const Outfit& outfit, Fold
 }
 
 }  // namespace
+
+Status WriteSizeSheet(const std::filesystem::path& folder, const std::vector<Outfit>& sizes, int thread_count) {
+  FR_RETURN_IF_ERROR(MakeFolder(folder));
+  if (sizes.empty()) return InvalidArgument("BAD_SIZE_SHEET", "there is no size to draw");
+  const render::DisplayBody display = render::PrepareBody(sizes.front().body_surface);
+  std::vector<render::SizeColumn> columns;
+  for (const Outfit& outfit : sizes) {
+    const FittedGarment& worn = outfit.garments.back();
+    render::SizeColumn column;
+    column.size = worn.cut.size;
+    if (worn.report.verdict) {
+      column.verdict = Capitals(std::string(FitVerdictWords(worn.report.verdict->verdict)) +
+                                (worn.report.verdict->reason.empty() ? "" : ": " + worn.report.verdict->reason));
+    }
+    for (const ZoneFit& zone : worn.report.zones) {
+      if (!zone.measured) continue;
+      char line[64];
+      std::snprintf(line, sizeof(line), "%s %+.0f CM", Capitals(std::string(FitZoneWords(zone.zone))).c_str(),
+                    zone.ease() * 100.0);
+      column.ease_lines.push_back(line);
+    }
+    const std::optional<SizeRecommendation>& recommended = worn.report.recommendation;
+    column.is_recommended = recommended && recommended->found && recommended->size == worn.cut.size;
+    column.shape = ShapeOf(worn);
+    columns.push_back(std::move(column));
+  }
+  FR_ASSIGN_OR_RETURN(const Image sheet, render::DrawSizeSheet(display, columns, thread_count));
+  return WriteFileAtomically(folder / "sizes.png", EncodePng(sheet));
+}
 
 std::string OutfitText(const Outfit& outfit) {
   std::string text;
@@ -111,11 +225,20 @@ Status WriteFitOutputs(const std::filesystem::path& folder, const BodyInput& bod
   FR_RETURN_IF_ERROR(MakeFolder(folder));
   FolderWriter writer(folder);
   render::DisplayBody display;
-  if (options.pictures || options.glb) display = render::PrepareBody(outfit.body_surface);
+  if (options.pictures || options.glb || options.maps || options.film)
+    display = render::PrepareBody(outfit.body_surface);
   if (options.pictures) {
     if (progress) progress("drawing", 0.82);
     FR_RETURN_IF_ERROR(WritePictures(display, outfit, options.thread_count, writer));
     stopwatch.Lap("pictures");
+  }
+  if (options.maps) {
+    FR_RETURN_IF_ERROR(WriteMaps(display, outfit, writer));
+    stopwatch.Lap("maps");
+  }
+  if (options.film) {
+    FR_RETURN_IF_ERROR(WriteFilm(display, outfit, options.thread_count, writer));
+    stopwatch.Lap("film");
   }
   if (options.glb) {
     if (progress) progress("writing the model", 0.95);

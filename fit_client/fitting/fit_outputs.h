@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "common/base/progress.h"
 #include "common/base/status.h"
@@ -14,6 +15,8 @@ namespace fitroom {
 struct FitOutputOptions {
   bool pictures = true;  // PNGs of the views and the stages.
   bool glb = true;       // A 3D model for any viewer.
+  bool maps = false;     // Strain, pressure and gap on the outermost garment.
+  bool film = false;     // An animated WebP of the outermost garment's dressing.
   bool meshes = false;   // Garment, rest panels, body and seams as OBJ and text, to be measured by other programs.
   int thread_count = 1;
 };
@@ -23,6 +26,9 @@ struct FitOutputOptions {
 // Fails like DrawFitPictures() and WriteFileAtomically(); files already written stay.
 Status WriteFitOutputs(const std::filesystem::path& folder, const BodyInput& body, Outfit& outfit,
                        const FitOutputOptions& options, Stopwatch& stopwatch, const ProgressSink& progress);
+
+// Draws all sizes side by side into `folder`/sizes.png, the recommended one framed. Fails like DrawSizeSheet().
+Status WriteSizeSheet(const std::filesystem::path& folder, const std::vector<Outfit>& sizes, int thread_count);
 
 // Returns the reports of all garments as one text for people, the innermost first.
 std::string OutfitText(const Outfit& outfit);
