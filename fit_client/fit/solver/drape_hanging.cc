@@ -24,8 +24,13 @@ constexpr int kRestWindows = 3;         // Rest must hold for this many sixtieth
 constexpr int kPatientRestWindows = 12;
 // After so many windows of hanging offsets are raised no more: where there is no room they would only shake the cloth.
 constexpr int kRaisingWindows = 60;
-constexpr int kTangledRestWindows = 60;  // The same where cloth still passes through cloth,
-constexpr int kOffBodyRestWindows = 60;  // or where a vertex that has to touch the body does not.
+constexpr int kOffBodyRestWindows = 60;  // The same where a vertex that has to touch the body does not.
+// After so many windows layers no longer push each other: what finds no room would tremble for ever. What crosses then
+// is ironed at the end.
+constexpr int kContactWindows = 120;
+constexpr int kIroningInterval = 8;      // Windows between looks at cloth that passes through itself,
+constexpr int kFirmIronings = 3;         // after so many closer to the body, where layers find no room,
+constexpr int kIroningLimit = 12;        // and how often it is ironed; what crosses then, stays and is counted.
 constexpr int kPullInterval = 16;        // Substeps between looks at crotch and waist while pulling up.
 constexpr int kPullPatience = 12;        // So many looks without
 constexpr double kPullProgress = 2e-4;   // this much of a rise (unit: metre) and the garment is stuck.
@@ -70,12 +75,15 @@ class HangingGarment {
   }
 
   Status Hang() {
+    IronTangles();
     Relax();
+    IronTangles();
     FR_RETURN_IF_ERROR(run_.CheckFinite(state_));
     run_.TakePositions(model_, state_);
     if (run_.options.pull_up) FR_RETURN_IF_ERROR(PullUp(*run_.options.pull_up));
     if (run_.options.attach) FR_RETURN_IF_ERROR(Belt());
     FR_RETURN_IF_ERROR(ComeToRest());
+    IronAtRest();
     LiftOut();
     Conclude();
     return Status();
@@ -93,10 +101,20 @@ class HangingGarment {
   // Says whether the cloth is at rest, from how far particles went in a sixtieth of a second; fills the report.
   bool IsAtRest(const std::vector<Eigen::Vector3d>& before, const std::vector<Eigen::Vector3d>& after, double seconds);
   bool TouchesBody();
-  // Says whether cloth passes through cloth and is being drawn out.
-  bool IsTangled() {
-    if (run_.options.self_collision) self_collision_.Refresh(state_);
-    return self_collision_.crossing_count() > 0;
+  // Says whether cloth passes through cloth; then it has been ironed.
+  bool IronTangles() {
+    if (!run_.options.self_collision || ironing_count_ >= kIroningLimit) return false;
+    self_collision_.Refresh(state_);
+    if (self_collision_.crossing_count() == 0) return false;
+    ++ironing_count_;
+    self_collision_.Iron(run_.body, run_.options.contact_offset, /*may_yield=*/ironing_count_ > kFirmIronings, state_);
+    return true;
+  }
+  // The last crossings are ironed without letting the cloth move again.
+  void IronAtRest() {
+    if (!run_.options.self_collision) return;
+    self_collision_.Iron(run_.body, run_.options.contact_offset, /*may_yield=*/false, state_);
+    run_.TakePositions(model_, state_);
   }
 
   DrapeRun& run_;
@@ -105,6 +123,7 @@ class HangingGarment {
   SelfCollision self_collision_;
   ClothState state_;
   int windows_at_rest_ = 0;
+  int ironing_count_ = 0;
 };
 
 // Lets stretch and creases of the start positions go before friction holds them.
@@ -129,8 +148,8 @@ bool HangingGarment::TouchesFromBelow(const PullUpOptions& pull) const {
   return false;
 }
 
-// Moves the garment up without gravity, by the drag of an upward wind at its waist, until the crotch or the waist is where it
-// belongs or nothing rises any more.
+// Moves the garment up without gravity, by the drag of an upward wind at its waist, until the crotch or the waist is
+// where it belongs or nothing rises any more.
 Status HangingGarment::PullUp(const PullUpOptions& pull) {
   const auto mean_height = [&] {
     double sum = 0.0;
@@ -288,10 +307,16 @@ Status HangingGarment::ComeToRest() {
     const int windows_needed = !TouchesBody()           ? kOffBodyRestWindows
                                : samples_too_close == 0 ? kRestWindows
                                                         : kPatientRestWindows;
-    if (windows_at_rest_ >= windows_needed && (windows_at_rest_ >= kTangledRestWindows || !IsTangled())) break;
+    const bool may_end = windows_at_rest_ >= windows_needed;
+    const bool may_iron = window_count <= kRaisingWindows && (may_end || window_count % kIroningInterval == 0);
+    const bool was_tangled = may_iron && IronTangles();
+    if (may_end && !was_tangled) break;
+    if (was_tangled) windows_at_rest_ = 0;
     if (window_count % kRaisingWindows == 0 && motion.drag < kLargestDrag) {
       motion.drag *= 2.0;
       solver_.SetMotion(motion);
+      self_collision_.GiveIn();
+      if (window_count >= kContactWindows) solver_.SetSelfCollision(nullptr);
     }
     if (!is_settling && report.speed_p99 < kSettlingSpeed) {
       is_settling = true;

@@ -7,19 +7,23 @@
 #include <cmath>
 #include <utility>
 
+#include "fit_client/fit/solver/self_collision_iron.h"
 #include "fit_client/fit/solver/self_collision_near.h"
 
 namespace fitroom {
 namespace {
 
-constexpr double kSlack = 0.002;           // (unit: metre)
-constexpr double kLongestEdge = 1.3;       // Crossings of longer edges may be seen late (unit: mean edge).
-constexpr double kReachOfEdge = 0.76;      // sqrt(1/2^2 + 1/3): from an edge's end to the corner of a triangle that it
-                                           // crosses in the middle (unit: edge).
-constexpr int kCheckInterval = 8;          // Substeps between looks at how far particles have moved.
-constexpr int kUntangleInterval = 16;      // Substeps between looks while cloth passes through cloth.
-constexpr int kLargestStrikes = 12;        // Looks on the wrong side after which a side is given up.
-constexpr double kLargestPushSpeed = 0.5;  // Of a contact that is violated (unit: m/s).
+constexpr double kSlack = 0.002;            // (unit: metre)
+constexpr double kLongestEdge = 1.3;        // Crossings of longer edges may be seen late (unit: mean edge).
+constexpr double kReachOfEdge = 0.76;       // sqrt(1/2^2 + 1/3): from an edge's end to the corner of a triangle that it
+                                            // crosses in the middle (unit: edge).
+constexpr int kCheckInterval = 8;           // Substeps between looks at how far particles have moved.
+constexpr int kUntangleInterval = 16;       // Substeps between looks while cloth passes through cloth.
+constexpr int kLargestStrikes = 12;         // Looks on the wrong side after which a side is given up.
+constexpr float kHeldShare = 0.6F;          // Of the gap to keep: what is less could not be kept.
+constexpr double kKeptOffset = 0.5;         // Of the offset from the body, where layers have been ironed,
+constexpr double kFineEdge = 0.012;         // on meshes so fine that no edge cuts through the body then (unit: metre).
+constexpr double kLargestPushSpeed = 0.25;  // Of a contact that is violated (unit: m/s).
 
 __m128 Load(const Float4& value) { return _mm_load_ps(&value.x); }
 void Store(Float4& target, __m128 value) { _mm_store_ps(&target.x, value); }
@@ -45,6 +49,7 @@ SelfCollision::SelfCollision(const ClothModel& model, const SelfCollisionOptions
     : model_(model), options_(options), executor_(executor), topology_(MakeSelfCollisionTopology(model)) {
   const double edge = topology_.mean_edge_length;
   thickness_ = static_cast<float>(std::min(options.thickness, 0.25 * edge));
+  friction_ = static_cast<float>(options.friction_coefficient);
   slack_ = static_cast<float>(kSlack);
   search_radius_ = static_cast<float>(kReachOfEdge * kLongestEdge * edge) + thickness_;
 }
@@ -57,6 +62,20 @@ void SelfCollision::Refresh(const ClothState& state) {
   reference_ = state.positions;
   substeps_since_look_ = 0;
   seconds_since_look_ = 0.0;
+}
+
+void SelfCollision::Iron(const SignedDistanceField& body, double contact_offset, bool may_yield, ClothState& state) {
+  Refresh(state);
+  if (crossings_.empty()) return;
+  IroningOptions ironing;
+  ironing.search_radius = static_cast<double>(search_radius_);
+  ironing.contact_offset = contact_offset;
+  ironing.kept_offset =
+      may_yield && topology_.mean_edge_length < kFineEdge ? kKeptOffset * contact_offset : contact_offset;
+  ironing.largest_pair_count = options_.contacts_per_particle * model_.particle_count();
+  IronTangles(model_, topology_, body, ironing, state, executor_);
+  contacts_.clear();
+  Refresh(state);
 }
 
 void SelfCollision::TakeUp(ClothEncounters found) {
@@ -82,7 +101,9 @@ void SelfCollision::TakeUp(ClothEncounters found) {
     if (is_known) {
       const ClothContact& before = contacts_[old];
       if (before.side == contact.side) {
-        contact.normal.w = std::min(thickness_, std::max(gap, before.normal.w + recovered));
+        // Where something holds the layers closer, as between arm and trunk, the gap gives in: else they would tremble.
+        const bool gives_in = gap < kHeldShare * before.normal.w;
+        contact.normal.w = gives_in ? gap : std::min(thickness_, std::max(gap, before.normal.w + recovered));
       } else {
         contact.strikes = static_cast<int16_t>(before.strikes + 1);
         if (contact.strikes > kLargestStrikes) continue;
@@ -101,6 +122,11 @@ void SelfCollision::TakeUp(ClothEncounters found) {
   contacts_ = std::move(taken);
   crossings_ = std::move(found.crossings);
   TurnPartedPiecesBack(model_, crossings_);
+}
+
+void SelfCollision::GiveIn() {
+  thickness_ *= 0.3F;
+  friction_ *= 5.0F;
 }
 
 bool SelfCollision::HasMoved(const ClothState& state) const {
@@ -126,7 +152,7 @@ void SelfCollision::Solve(ClothState& state, double time_step) {
 }
 
 void SelfCollision::SolveContacts(ClothState& state, float largest_push) const {
-  const float friction = static_cast<float>(options_.friction_coefficient);
+  const float friction = friction_;
   for (const ClothContact& contact : contacts_) {
     Float4* const at[4] = {&state.positions[static_cast<size_t>(contact.particles[0])],
                            &state.positions[static_cast<size_t>(contact.particles[1])],
@@ -147,16 +173,23 @@ void SelfCollision::SolveContacts(ClothState& state, float largest_push) const {
       before = _mm_add_ps(before, _mm_mul_ps(Load(previous), w[place]));
     }
     const __m128 way = _mm_sub_ps(between, before);
-    const __m128 tangent = _mm_sub_ps(way, _mm_mul_ps(normal, _mm_set1_ps(Dot3(way, normal))));
+    const float parting = Dot3(way, normal);
+    const __m128 tangent = _mm_sub_ps(way, _mm_mul_ps(normal, _mm_set1_ps(parting)));
     const float tangent_way = std::sqrt(Dot3(tangent, tangent));
     const float held = friction * push;
     const float cut = tangent_way > held ? held / tangent_way : 1.0F;
     const __m128 move =
         Xyz(_mm_mul_ps(_mm_sub_ps(_mm_mul_ps(normal, _mm_set1_ps(push)), _mm_mul_ps(tangent, _mm_set1_ps(cut))),
                        _mm_set1_ps(contact.scale)));
+    // Only as much of it becomes velocity as stops the approach: a contact is inelastic, and what lay too deep does not
+    // fly off.
+    const float lift = std::max(0.0F, push - std::max(0.0F, -parting));
+    const __m128 shift = Xyz(_mm_mul_ps(normal, _mm_set1_ps(lift * contact.scale)));
     for (size_t place = 0; place < 4; ++place) {
       const __m128 share = _mm_mul_ps(w[place], Broadcast<3>(places[place]));
+      Float4& previous = state.previous[static_cast<size_t>(contact.particles[place])];
       Store(*at[place], _mm_add_ps(places[place], _mm_mul_ps(move, share)));
+      Store(previous, _mm_add_ps(Load(previous), _mm_mul_ps(shift, share)));
     }
   }
 }

@@ -36,6 +36,11 @@ class SelfCollision {
   void Solve(ClothState& state, double time_step);
   // Looks for pairs and crossings now.
   void Refresh(const ClothState& state);
+  // Irons what passes through itself (see IronTangles) outside `body` by `contact_offset` (unit: metre), or half of it
+  // where it `may_yield`, and looks for pairs. Moves nothing where nothing crosses.
+  void Iron(const SignedDistanceField& body, double contact_offset, bool may_yield, ClothState& state);
+  // From now on layers may lie closer and rub more: those that find no room would tremble for ever.
+  void GiveIn();
 
   int contact_count() const { return static_cast<int>(contacts_.size()); }
   // As of the last look.
@@ -53,6 +58,7 @@ class SelfCollision {
   Executor& executor_;
   const SelfCollisionTopology topology_;
   float thickness_ = 0.0F;      // (unit: metre)
+  float friction_ = 0.0F;       // (unit: 1)
   float slack_ = 0.0F;          // Way that pairs are looked for ahead (unit: metre).
   float search_radius_ = 0.0F;  // Of particles (unit: metre).
   std::vector<ClothContact> contacts_;
