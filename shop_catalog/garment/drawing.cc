@@ -70,18 +70,22 @@ cv::Mat DrawView(const GarmentView& view, const Image& photo) {
     const bool on_left = point.pixel.x() < middle;
     DrawLabel(panel, text, {cvRound(at.x()) + (on_left ? 9 : -118), cvRound(at.y()) + 14}, colour);
   }
-  DrawLabel(
-      panel,
-      view.side == GarmentSide::kFront ? "FRONT (wearer's right on the left)" : "BACK (wearer's left on the left)",
-      {8, kPanelSide - 8}, kInk);
+  const char* const title = view.side == GarmentSide::kFront  ? "FRONT (wearer's right on the left)"
+                            : view.side == GarmentSide::kBack ? "BACK (wearer's left on the left)"
+                                                              : "SIDE-FOLDED (crotch on the left)";
+  DrawLabel(panel, title, {8, kPanelSide - 8}, kInk);
   return panel;
 }
 
 }  // namespace
 
-Image DrawExtraction(const Garment& garment, const Image& front_photo, const Image* back_photo) {
+Image DrawExtraction(const Garment& garment, const Image& front_photo, const Image* back_photo,
+                     const Image* side_folded_photo) {
   std::vector<cv::Mat> panels = {DrawView(garment.front, front_photo)};
   if (garment.back && back_photo != nullptr) panels.push_back(DrawView(*garment.back, *back_photo));
+  if (garment.side_folded && side_folded_photo != nullptr) {
+    panels.push_back(DrawView(*garment.side_folded, *side_folded_photo));
+  }
   int width = 0;
   for (const cv::Mat& panel : panels) width += panel.cols;
   width = std::max(width, 640);
@@ -94,8 +98,14 @@ Image DrawExtraction(const Garment& garment, const Image& front_photo, const Ima
   }
   for (size_t i = 0; i < garment.measures.size(); ++i) {
     char text[96];
-    std::snprintf(text, sizeof text, "%s %.1f cm", garment.measures[i].name.substr(0, 60).c_str(),
-                  garment.measures[i].value * 100.0);
+    const GarmentMeasure& measure = garment.measures[i];
+    const std::string name = measure.name.substr(0, 60);
+    if (measure.provenance == Provenance::kUnknown) {
+      std::snprintf(text, sizeof text, "%s unknown", name.c_str());
+    } else {
+      std::snprintf(text, sizeof text, "%s %.1f cm%s", name.c_str(), measure.value * 100.0,
+                    measure.provenance == Provenance::kStated ? " (stated)" : "");
+    }
     DrawLabel(sheet, text,
               {10 + static_cast<int>(i % 3) * width / 3, kPanelSide + (static_cast<int>(i / 3) + 1) * kLineHeight},
               kInk);

@@ -176,7 +176,8 @@ Result<GarmentExtraction> ExtractOrThrow(const ExtractionRequest& request) {
   }
   FR_RETURN_IF_ERROR(valid);
   result.files.push_back(
-      {"extraction.png", EncodePng(DrawExtraction(garment, front.photo, back ? &back->photo : nullptr))});
+      {"extraction.png", EncodePng(DrawExtraction(garment, front.photo, back ? &back->photo : nullptr,
+                                                  side_folded ? &side_folded->photo : nullptr))});
   return result;
 }
 
