@@ -44,6 +44,13 @@ class Ruler {
     }
     return length;
   }
+  // Square to a leg, which may lie aslant; `suffix` is "_L" or "_R".
+  double KneeWidth(const std::string& suffix) const {
+    const Eigen::Vector2d top = Middle("crotch", "crotch_level" + suffix);
+    const Eigen::Vector2d along = (At("hem_mid" + suffix) - top).normalized();
+    const Eigen::Vector2d level = At("knee_outer" + suffix) - At("knee_inner" + suffix);
+    return std::abs(level.x() * along.y() - level.y() * along.x()) * view_.metre_per_pixel;
+  }
   double Length() const {
     const GarmentFrame frame = FrameOf(kind_, view_.points);
     return (frame.lower - frame.upper).norm() * view_.metre_per_pixel;
@@ -93,8 +100,7 @@ std::vector<GarmentMeasure> MeasureSkirt(const GarmentView& view) {
 
 std::vector<GarmentMeasure> MeasureTrousers(GarmentKind kind, const GarmentView& view) {
   const Ruler front(kind, view);
-  const double knee =
-      0.5 * (front.Distance("knee_outer_L", "knee_inner_L") + front.Distance("knee_outer_R", "knee_inner_R"));
+  const double knee = 0.5 * (front.KneeWidth("_L") + front.KneeWidth("_R"));
   const double hem = 0.5 * (front.Distance("e2", "hem_inner_L") + front.Distance("e4", "hem_inner_R"));
   const double inseam = 0.5 * (front.Path({"crotch", "thigh_inner_L", "knee_inner_L", "hem_inner_L"}) +
                                front.Path({"crotch", "thigh_inner_R", "knee_inner_R", "hem_inner_R"}));
