@@ -61,7 +61,7 @@ TEST_P(LandmarkedGarmentTest, IsCutIntoGoodTrianglesAtEveryPitch) {
       }
     }
     EXPECT_EQ(turned_count, 0);
-    EXPECT_GE(least_angle, pitch < 0.015 ? 24.0 : 15.0) << "at " << sharpest_place.transpose();
+    EXPECT_GE(least_angle, 24.0) << "at " << sharpest_place.transpose();
     EXPECT_GE(shortest, 0.5);
     EXPECT_LE(longest, 1.65);
   }
