@@ -17,9 +17,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kSteepest = 0.35;    // A step along the outseam falls at least by this share of its length.
-constexpr double kOfItsLeg = 1e-6;    // Half widths from the middle at which a seam's particles count as one leg's.
-constexpr double kLegsApart = 0.001;  // Tubes of the legs stay this far from the plane between them (unit: metre).
+constexpr double kSteepest = 0.35;     // A step along the outseam falls at least by this share of its length.
+constexpr double kOfItsLeg = 1e-6;     // Half widths from the middle at which a seam's particles count as one leg's.
+constexpr double kLegsApart = 0.0015;  // Tubes of the legs stay this far from the plane between them (unit: metre).
 
 // Widths of the garment at rest, level by level: [side][panel], measured along the level (unit: metre).
 class GarmentLevels {
@@ -150,6 +150,7 @@ class BottomPlacement {
       : cloth_(cloth), outline_(outline), body_(body), options_(options) {}
 
   Result<BottomPose> Place() {
+    FindMiddle();
     FR_RETURN_IF_ERROR(FindAcross());
     const GarmentLevels levels(cloth_, across_);
     MapHeights(levels);
@@ -168,6 +169,17 @@ class BottomPlacement {
   }
 
  private:
+  // Centre seams and the crotch: where left and right meet.
+  void FindMiddle() {
+    is_middle_.assign(cloth_.rest_positions.size(), false);
+    for (const auto& panel : outline_.centre_seams) {
+      for (const auto& chain : panel) {
+        for (const int particle : chain.particles) is_middle_[static_cast<size_t>(particle)] = true;
+      }
+    }
+    for (const int particle : outline_.crotch) is_middle_[static_cast<size_t>(particle)] = true;
+  }
+
   // How far across its half each particle lies: +1 or -1 at the outseams, 0 at inseams and centre seams.
   Status FindAcross() {
     across_.assign(cloth_.rest_positions.size(), Vector3d::Zero());
@@ -406,7 +418,9 @@ class BottomPlacement {
     const double trunk_part = middle_part + std::abs(across) * (tubes.trunk_side - middle_part);
     const Vector2d on_trunk = trunk_part > 0.0 ? OnTrunk(tubes, front, across) : Vector2d(Vector2d::Zero());
     if (trunk_part >= 1.0) return on_trunk;
-    const Vector2d on_leg = OnLeg(tubes, front, across);
+    // Between the legs left and right meet in the plane between them.
+    const Vector2d on_leg =
+        is_middle_[i] ? Vector2d(body_.groin().x(), body_.groin().z()) : OnLeg(tubes, front, across);
     return trunk_part * on_trunk + (1.0 - trunk_part) * on_leg;
   }
 
@@ -454,6 +468,7 @@ class BottomPlacement {
   const BottomOutline& outline_;
   const LowerBody& body_;
   const BottomPoseOptions& options_;
+  std::vector<bool> is_middle_;
   std::vector<Vector3d> across_;  // x: across, see FindAcross().
   std::vector<double> heights_;
   std::vector<double> side_heights_;  // Of the left outseam's particles.
