@@ -8,8 +8,6 @@
 #include "common/base/status.h"
 #include "fit_client/fit/solver/cloth_solver.h"
 #include "fit_client/fit/stages/bottom_outline.h"
-#include "fit_client/fit/stages/lower_body.h"
-#include "fit_client/fit/stages/tape_curve.h"
 
 namespace fitroom {
 
@@ -22,14 +20,19 @@ struct BeltMeasure {
   double ease() const { return garment_girth - body_girth; }
 };
 
-// Lays a belt round the body at the mean height of the waist's edge: the tape round the section there, `offset` away
-// (unit: metre), the edge's particles on it by arc length from the centre front. A wide edge is gathered evenly, a
-// narrow one stretched evenly. FAILED_PRECONDITION (BELT_HAS_NO_BODY) where there is no body at that height.
+// Returns the mean height of the waist's edge (unit: metre); `positions` holds one place a particle of the cloth.
+double MeanWaistHeight(const BottomOutline& outline, std::span<const Eigen::Vector3d> positions);
+
+// A belt, and what it measured before it held anything.
 struct Belt {
   BeltMeasure measure;
-  std::vector<Attachment> attachments;  // One a particle of the edge.
+  std::vector<Attachment> attachments;  // One a particle of the waist's edge.
 };
-Result<Belt> LayBelt(const BottomOutline& outline, const LowerBody& body, std::span<const Eigen::Vector3d> positions,
-                     double offset);
+
+// Lays a belt round the body's `section` ((x, z), metres) at `height`: the tape round it, `offset` away, the edge's
+// particles on it by arc length from the centre front, which lies at x = `middle`. A wide edge is gathered evenly, a
+// narrow one stretched evenly. FAILED_PRECONDITION (BELT_HAS_NO_BODY) where the section is empty.
+Result<Belt> LayBelt(const BottomOutline& outline, std::span<const Eigen::Vector2d> section, double height,
+                     double middle, double offset);
 
 }  // namespace fitroom

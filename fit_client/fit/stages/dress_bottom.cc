@@ -99,7 +99,9 @@ Result<Dressing> DressBottom(const ClothMesh& cloth, const DressedBody& wearer, 
   if (!outline.has_legs()) pull.edge_height = lower.waist_height();
   drape.pull_up = std::move(pull);
   drape.attach = [&](std::span<const Eigen::Vector3d> positions) -> Result<std::vector<Attachment>> {
-    FR_ASSIGN_OR_RETURN(Belt belt, LayBelt(outline, lower, positions, drape.contact_offset + kBeltClearance));
+    const double height = MeanWaistHeight(outline, positions);
+    FR_ASSIGN_OR_RETURN(Belt belt, LayBelt(outline, lower.At(height).trunk, height, lower.groin().x(),
+                                           drape.contact_offset + kBeltClearance));
     outcome.belt = belt.measure;
     return std::move(belt.attachments);
   };
