@@ -36,6 +36,7 @@ struct FitFlags {
   bool all_sizes = false;
   bool no_self_collision = false;
   std::string fork;
+  std::string profile = "standard";
 };
 
 Result<BodyInput> LoadBody(const FitFlags& flags) {
@@ -95,6 +96,7 @@ Result<std::vector<Layer>> MakeLayers(const FitFlags& flags, const std::vector<G
 Result<FitOptions> MakeOptions(const FitFlags& flags) {
   FitOptions options;
   options.pitch = flags.pitch_cm * 0.01;
+  if (flags.profile == "paper") options.profile = FitProfile::kPaper;
   options.dressing.drape.self_collision = !flags.no_self_collision;
   if (!flags.fork.empty()) {
     options.fork_rule = ForkRuleFromName(flags.fork);
@@ -190,6 +192,11 @@ void AddFitCommand(CLI::App& app, int& exit_code) {
   command->add_option("--fork", flags->fork,
                       "Drafting rule for the fork of trousers where nothing tells of it: close, trouser, classic, "
                       "aldrich, titan or garment_code");
+  command
+      ->add_option("--profile", flags->profile,
+                   "standard, or paper: the method as printed, slow, for meshes of 2 cm and more")
+      ->check(CLI::IsMember({"standard", "paper"}))
+      ->capture_default_str();
   command->add_flag("--maps", flags->maps, "Also draw maps of strain, pressure and gap");
   command->add_flag("--film", flags->film, "Also draw a film of the dressing (dressing.webp)");
   command->add_flag("--no-self-collision", flags->no_self_collision, "Let the cloth pass through itself: faster");

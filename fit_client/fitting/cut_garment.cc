@@ -80,8 +80,10 @@ Result<CutGarment> CutGarmentToSize(const Garment& garment, const CutOptions& op
   FR_ASSIGN_OR_RETURN(const GarmentPattern photographed, ReconcileViews(garment));
   GarmentPattern pattern = photographed;
   FR_ASSIGN_OR_RETURN(cut.size, GradeToSize(garment, options.size, pattern));
-  FR_ASSIGN_OR_RETURN(const std::optional<ForkedPattern> forked,
-                      CutFork(garment, photographed, pattern, cut.size, options.fork_rule, cut.notes));
+  std::optional<ForkedPattern> forked;
+  if (options.with_fork) {
+    FR_ASSIGN_OR_RETURN(forked, CutFork(garment, photographed, pattern, cut.size, options.fork_rule, cut.notes));
+  }
   FR_ASSIGN_OR_RETURN(cut.cloth, forked ? MeshFork(*forked, options.pitch) : MeshPattern(pattern, options.pitch));
   cut.topology = ComputeWeldedTopology(cut.cloth);
   cut.measures = MeasuresOf(garment, pattern, cut.size);

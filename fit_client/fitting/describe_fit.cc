@@ -66,7 +66,6 @@ void DescribeInputs(const BodyInput& body, const Garment& garment, const CutGarm
   report.garment_title = garment.title;
   report.garment_kind = GarmentKindName(garment.kind);
   report.garment_length = garment.length;
-  report.profile = "standard";
   report.euler_characteristic = cut.topology.euler_characteristic();
   report.expected_euler_characteristic = ExpectedEulerCharacteristic(garment.kind);
   report.boundary_loop_count = cut.topology.boundary_loop_count;

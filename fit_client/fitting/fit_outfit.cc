@@ -4,6 +4,7 @@
 
 #include "fit_client/fit/collision/body_repair.h"
 #include "fit_client/fitting/describe_fit.h"
+#include "fit_client/fitting/dress_by_profile.h"
 #include "fit_client/fitting/judge_fit.h"
 
 namespace fitroom {
@@ -40,19 +41,20 @@ Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers
     FittedGarment worn;
     worn.input = layer.garment;
     const Garment& garment = layer.garment->garment;
-    Result<CutGarment> cut = CutGarmentToSize(garment, {options.pitch, layer.size, options.fork_rule});
+    Result<CutGarment> cut = CutGarmentToSize(
+        garment, {options.pitch, layer.size, options.profile == FitProfile::kStandard, options.fork_rule});
     if (!cut.ok()) return cut.status().At(garment.id);
     worn.cut = std::move(cut).value();
     DescribeInputs(body, garment, worn.cut, worn.report);
     worn.report.thread_count = executor.thread_count();
+    worn.report.profile = options.profile == FitProfile::kPaper ? "paper" : "standard";
     stopwatch.Lap("panels");
 
     const auto dressing = [&](double done) { report_progress("dressing", begin + share * (0.05 + 0.95 * done)); };
     DressingOptions dressing_options = options.dressing;
     dressing_options.drape.material = DrapeMaterial(FabricOf(garment));
-    Result<Dressing> dressed =
-        DressGarment(worn.cut.cloth, garment.kind, {body.body, outfit.body_surface, worn_already}, dressing_options,
-                     executor, dressing);
+    Result<Dressing> dressed = DressByProfile(worn.cut, {body.body, outfit.body_surface, worn_already}, options,
+                                              dressing_options, executor, dressing);
     if (!dressed.ok()) return dressed.status().At(garment.id);
     worn.stages = std::move(dressed->stages);
     stopwatch.Lap("dressing");

@@ -22,7 +22,12 @@ struct Layer {
   std::string size;  // Of its chart; empty: as photographed.
 };
 
+// The corrected method on a solver built for speed, or the method as printed: the reference, slow, and on meshes of 2
+// cm and more. README.md of fit_client/fit/paper says where it does not end well.
+enum class FitProfile { kStandard, kPaper };
+
 struct FitOptions {
+  FitProfile profile = FitProfile::kStandard;
   double pitch = 0.01;                // Edge length of the cloth meshes (unit: metre).
   std::optional<ForkRule> fork_rule;  // See CutOptions.
   DressingOptions dressing;           // The material is that of each garment's fabric.
