@@ -59,6 +59,7 @@ void JudgeWorn(const Body& body, const DressingFacts& facts, FittedGarment& fitt
   verdict.fabric = fabric;
   verdict.zones = fitted.report.zones;
   verdict.facts = facts;
+  verdict.unknown = UnknownDimensions(garment.kind, fitted.cut.measures);
   const size_t index = IndexOf(garment.chart, fitted.cut.size);
   if (index < garment.chart.sizes.size()) verdict.intended = IntendedGirths(garment.chart, index);
   fitted.report.verdict = JudgeSize(verdict);
@@ -77,7 +78,9 @@ void JudgeChart(const Body& body, FittedGarment& fitted) {
     verdict.size = size.name;
     verdict.kind = garment.kind;
     verdict.fabric = FabricOf(garment);
-    verdict.zones = ZonesFromMeasures(garment.kind, MeasuresOfSize(fitted, size), body);
+    const std::vector<GarmentMeasure> measures = MeasuresOfSize(fitted, size);
+    verdict.zones = ZonesFromMeasures(garment.kind, measures, body);
+    verdict.unknown = UnknownDimensions(garment.kind, measures);
     verdict.intended = IntendedGirths(garment.chart, i);
     fitted.report.sizes.push_back(JudgeSize(verdict));
   }

@@ -9,6 +9,7 @@
 
 #include "common/base/check.h"
 #include "common/body/tape_girths.h"
+#include "fit_client/fit/measure/body_gap.h"
 #include "fit_client/fit/measure/cloth_strain.h"
 #include "fit_client/fit/measure/contact_pressure.h"
 #include "fit_client/fit/measure/garment_line.h"
@@ -61,13 +62,15 @@ class Assessor {
     draped.stretch_stiffness = DrapeMaterial(draped).stretch_stiffness;
     contact_pressures_ = ContactForcePressure(cloth_, positions_, draped, input_.gravity);
     maps.pressure = LaplacePressure(cloth_, positions_, strains_, draped.stretch_stiffness);
-    is_touching_.assign(positions_.size(), true);
     if (input_.surface != nullptr) {
-      for (size_t i = 0; i < positions_.size(); ++i) {
-        maps.gap.push_back(std::max(0.0, input_.surface->Distance(positions_[i])));
-        is_touching_[i] = maps.gap[i] < kContactGap;
+      for (const Eigen::Vector3d& position : positions_) {
+        maps.gap.push_back(std::max(0.0, input_.surface->Distance(position)));
       }
+    } else {
+      maps.gap = MeasureGaps(body_.mesh, positions_);
     }
+    is_touching_.assign(positions_.size(), true);
+    for (size_t i = 0; i < maps.gap.size(); ++i) is_touching_[i] = maps.gap[i] < kContactGap;
     laplace_pressures_ = maps.pressure;
     for (size_t i = 0; i < positions_.size(); ++i) {
       maps.pressure[i] = is_touching_[i] ? std::max(0.0, maps.pressure[i]) : 0.0;

@@ -22,8 +22,7 @@ struct AssessInput {
   const ClothMesh* cloth = nullptr;
   const std::vector<Eigen::Vector3d>* positions = nullptr;  // As worn, one a particle (unit: metre).
   const Body* body = nullptr;
-  // What the garment lies on, the body or the body and the layers below. Null: no gaps, and pressure wherever the cloth
-  // pulls inwards.
+  // What the garment lies on where that is more than the body: body and layers below as one. Null: the body's own mesh.
   const SignedDistanceField* surface = nullptr;
   std::vector<GarmentMeasure> measures;                        // For the provenance of zones.
   Eigen::Vector3d gravity = Eigen::Vector3d(0.0, -9.81, 0.0);  // (unit: m/s^2)
@@ -33,7 +32,8 @@ struct AssessInput {
 struct FitMaps {
   std::vector<double> strain;    // Largest principal strain, one a triangle (unit: 1).
   std::vector<double> pressure;  // By Laplace; 0 where the cloth does not lie on the body; one a particle (unit: Pa).
-  std::vector<double> gap;       // From the body to the cloth, one a particle (unit: metre). Empty without a surface.
+  std::vector<double> gap;       // From the surface to the cloth, one a particle, at most kLargestGap of the body's own
+                                 // mesh (unit: metre). Empty where it could not be measured.
 };
 
 struct FitAssessment {

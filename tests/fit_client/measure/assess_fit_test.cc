@@ -1,10 +1,12 @@
 #include "fit_client/fit/measure/assess_fit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "fit_client/fit/measure/body_gap.h"
 #include "fit_client/fit/measure/size_verdict.h"
 #include "tests/fit_client/measure/band_on_cylinder.h"
 
@@ -109,6 +111,22 @@ TEST_F(AssessFitTest, ClothThatHangsFreeDoesNotPress) {
   EXPECT_EQ(Zone(assessment, FitZone::kHip).laplace_pressure, 0.0);
   EXPECT_NEAR(Zone(assessment, FitZone::kHip).gap_mean, 0.03, 1e-3);
   for (const double pressure : assessment.maps.pressure) EXPECT_EQ(pressure, 0.0);
+}
+
+// Without a field the body's own mesh says the same, up to six centimetres.
+TEST_F(AssessFitTest, GapsToTheMeshAreThoseToTheField) {
+  for (const double gap : {0.0, 0.003, 0.012, 0.045, 0.2}) {
+    const Band worn = MakeBand(kRadius + gap, 0.1, 0.0, 0.0, 0.01);
+    const std::vector<double> gaps = MeasureGaps(body_.mesh, worn.worn);
+    ASSERT_EQ(gaps.size(), worn.worn.size());
+    // Facets of two degrees lie 23 micrometres inside of their circle.
+    for (const double measured : gaps) EXPECT_NEAR(measured, std::min(gap, kLargestGap), 5e-5);
+  }
+  EXPECT_TRUE(MeasureGaps(TriangleMesh(), {{0.0, 0.0, 0.0}}).empty());
+  EXPECT_TRUE(MeasureGaps(body_.mesh, {}).empty());
+  const FitAssessment free = Assess(kRadius + 0.03, 0.02, nullptr);
+  EXPECT_EQ(Zone(free, FitZone::kHip).contact_share, 0.0);
+  EXPECT_NEAR(Zone(free, FitZone::kHip).gap_mean, 0.03, 1e-3);
 }
 
 TEST_F(AssessFitTest, WhatCannotBeMeasuredSaysWhy) {
