@@ -1,6 +1,7 @@
 #include "fit_client/fit/panels/measure.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -104,6 +105,14 @@ double VisibleRise(const PanelPattern& panel) {
   return PointOf(panel, "waist_centre").y() - PointOf(panel, "crotch").y();
 }
 
+// Square to the leg, which may lie aslant.
+double KneeWidth(const PanelPattern& panel, const std::string& side) {
+  const Eigen::Vector2d top = 0.5 * (PointOf(panel, "crotch") + PointOf(panel, "crotch_level" + side));
+  const Eigen::Vector2d along = (PointOf(panel, "hem_mid" + side) - top).normalized();
+  const Eigen::Vector2d across = PointOf(panel, "knee_outer" + side) - PointOf(panel, "knee_inner" + side);
+  return std::abs(across.x() * along.y() - across.y() * along.x());
+}
+
 double Measure(const GarmentPattern& pattern, const std::string& name) {
   const PanelPattern& front = pattern.front;
   const GarmentKind kind = pattern.kind;
@@ -122,7 +131,7 @@ double Measure(const GarmentPattern& pattern, const std::string& name) {
   if (name == "back_length") return PanelLength(pattern.back);
   if (name == "length") return MeasureLength(pattern);
   if (name == "thigh_width") return MeanDistance(front, "thigh_outer", "thigh_inner");
-  if (name == "knee_width") return MeanDistance(front, "knee_outer", "knee_inner");
+  if (name == "knee_width") return 0.5 * (KneeWidth(front, "_L") + KneeWidth(front, "_R"));
   if (name == "front_rise") return VisibleRise(pattern.front);
   if (name == "back_rise") return VisibleRise(pattern.back);
   FR_CHECK(name == "inseam");

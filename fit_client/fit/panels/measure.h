@@ -21,8 +21,9 @@ double MeasureLength(const GarmentPattern& pattern);
 //   hip_width       level of these points;               front_length,   of that panel from the highest point of the
 //                                                        back_length     shoulders straight down to the hem;
 //   hem_width       between the hem's corners, of trousers of one leg;
-//   thigh_width,    of one leg between outer and inner   inseam          along the seam from crotch to hem;
-//   knee_width      point;                               length          MeasureLength();
+//   thigh_width     of one leg between outer and inner   inseam          along the seam from crotch to hem;
+//                   point;                               length          MeasureLength();
+//   knee_width      the same, square to the leg;
 //   front_rise,     waist's centre straight down to the crotch.
 //   back_rise
 // Rises and thigh are of provenance unknown, because folding hides the fork that a chart's measures follow; all others

@@ -271,17 +271,21 @@ std::vector<GarmentMeasure> MeasuresOf(const DrawnTrousers& drawn) {
   // Outseam below the hip and inseam are straight lines; widths are taken at equal shares of them.
   const double hem_y = drawn.length;
   const double level = (drawn.crotch - 0.18) / (hem_y - 0.18);
-  const auto width = [&](double share) {
+  const auto across = [&](double share) -> Eigen::Vector2d {
     const double outer_share = level + share * (1.0 - level);
     const Eigen::Vector2d outer((1.0 - outer_share) * drawn.half_hip + outer_share * drawn.outer_hem,
                                 (1.0 - outer_share) * 0.18 + outer_share * hem_y);
     const Eigen::Vector2d inner(share * drawn.inner_hem, (1.0 - share) * drawn.crotch + share * hem_y);
-    return (outer - inner).norm();
+    return outer - inner;
   };
+  // The knee is measured square to the leg, from the middle of its upper end to that of its hem.
+  const Eigen::Vector2d top(0.5 * across(0.0).x(), drawn.crotch);
+  const Eigen::Vector2d along = (Eigen::Vector2d(0.5 * (drawn.outer_hem + drawn.inner_hem), hem_y) - top).normalized();
+  const double knee = std::abs(across(0.5).x() * along.y() - across(0.5).y() * along.x());
   return {{"waist_width", 2.0 * drawn.half_waist},
           {"hip_width", 2.0 * drawn.half_hip},
-          {"thigh_width", width(0.25)},
-          {"knee_width", width(0.5)},
+          {"thigh_width", across(0.25).norm()},
+          {"knee_width", knee},
           {"hem_width", drawn.outer_hem - drawn.inner_hem},
           {"front_rise", drawn.crotch - drawn.front_dip},
           {"back_rise", drawn.crotch - drawn.back_dip},
