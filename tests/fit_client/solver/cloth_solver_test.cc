@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -84,6 +85,38 @@ TEST(ClothSolver, DragDecayDoesNotDependOnTheStep) {
     for (Float4& velocity : scene.state.velocities) velocity = {0.4F, 0.0F, 0.0F, 0.0F};
     scene.solver.Advance(scene.state, static_cast<int>(std::lround(0.2 / step)), {}, 0.0);
     EXPECT_NEAR(scene.state.velocities[0].x, 0.4 * std::exp(-7.0 * 0.2), 2e-3) << step;
+  }
+}
+
+// An equilateral triangle of three springs k between three masses m breathes with omega^2 = 3 k / m. Here k = Y A / l^2
+// and m = rho A / 3, so that the period is 2 pi l / 3 sqrt(rho / Y).
+TEST(ClothSolver, ATriangleBreathesWithThePeriodOfItsSpringsAndMasses) {
+  const double length = 0.02;
+  ClothMesh mesh;
+  mesh.rest_positions = {{0.0, 0.0, 0.0}, {length, 0.0, 0.0}, {0.5 * length, 0.5 * std::sqrt(3.0) * length, 0.0}};
+  mesh.triangles = {{0, 1, 2}};
+  for (const double stiffness : {200.0, 1500.0}) {
+    ClothMaterial material;
+    material.stretch_stiffness = stiffness;
+    Scene scene(mesh, material, testing::MakeFarBody());
+    const double period = 2.0 * M_PI * length / 3.0 * std::sqrt(material.areal_density / stiffness);
+    MotionOptions motion = FreeMotion(period / 400.0);
+    motion.gravity.setZero();
+    scene.solver.SetMotion(motion);
+    for (Float4& position : scene.state.positions) {  // One per cent larger than at rest.
+      position.x *= 1.01F;
+      position.y *= 1.01F;
+    }
+    std::vector<double> passages;  // Through the rest length, in steps.
+    double before = 0.01 * length;
+    for (int step = 1; step <= 600 && passages.size() < 3; ++step) {
+      scene.solver.Advance(scene.state, 1, {}, 0.0);
+      const double excess = (scene.At(1) - scene.At(0)).norm() - length;
+      if ((excess > 0.0) != (before > 0.0)) passages.push_back(step - excess / (excess - before));
+      before = excess;
+    }
+    ASSERT_EQ(passages.size(), 3u);
+    EXPECT_NEAR((passages[2] - passages[0]) / 400.0, 1.0, 0.02) << stiffness;
   }
 }
 

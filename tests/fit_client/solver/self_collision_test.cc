@@ -104,6 +104,9 @@ class Scene {
     }
     return places;
   }
+  void Iron(const SignedDistanceField& body) {
+    self_collision_.Iron(body, /*contact_offset=*/0.003, /*may_yield=*/false, state_);
+  }
   const ClothState& state() const { return state_; }
   const ClothModel& model() const { return model_; }
   SelfCollision& self_collision() { return self_collision_; }
@@ -266,6 +269,34 @@ TEST(SelfCollision, ASheetThatStartsThroughAnotherIsDrawnOut) {
   ASSERT_GT(CountCrossings(sheets.mesh, scene.Positions()), 10);
   scene.Move(2.5e-4, Eigen::Vector3d::Zero(), 10.0, 1.0);
   EXPECT_EQ(CountCrossings(sheets.mesh, scene.Positions()), 0);
+}
+
+TEST(SelfCollision, IroningTakesABulgeOutOfTheLayerAboveAndMovesNothingElse) {
+  const ClothMesh sheet = testing::MakeSheet(0.2, 0.2, 20, 20);
+  TwoSheets sheets = PlaceTwoSheets(sheet, Level(0.2, 0.2, {0.0, 0.03, 0.0}, 0.0), sheet,
+                                    Level(0.2, 0.2, {0.0023, 0.034, 0.0013}, 0.3));
+  for (int vertex = 0; vertex < sheets.vertices_of_first; ++vertex) {
+    Eigen::Vector3d& place = sheets.places[static_cast<size_t>(vertex)];
+    const double distance = std::hypot(place.x() - 0.0031, place.z() - 0.0017);
+    place.y() += 0.01 * std::exp(-distance * distance / (0.02 * 0.02));
+  }
+  const SignedDistanceField floor = MakeFloor();
+  SerialExecutor serial;
+  Scene scene(sheets.mesh, sheets.places, floor, serial, true);
+  const Places before = scene.Positions();
+  ASSERT_GT(CountCrossings(sheets.mesh, before), 10);
+  scene.Iron(floor);
+  EXPECT_EQ(scene.self_collision().crossing_count(), 0);
+  const Places after = scene.Positions();
+  EXPECT_EQ(CountCrossings(sheets.mesh, after), 0);
+  for (size_t vertex = 0; vertex < after.size(); ++vertex) {
+    if (std::hypot(before[vertex].x(), before[vertex].z()) > 0.06) {
+      EXPECT_EQ(after[vertex], before[vertex]);
+    }
+    EXPECT_LT((after[vertex] - before[vertex]).norm(), 0.015);
+  }
+  scene.Iron(floor);  // Nothing crosses any more.
+  EXPECT_EQ(scene.Positions(), after);
 }
 
 TEST(SelfCollision, GivesTheSameForAnyThreadCount) {
