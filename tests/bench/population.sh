@@ -11,8 +11,9 @@ for kind in tshirt one_piece skirt pants; do
   "$build/bin/shop_catalog" synthesize --kind "$kind" --size 12 --out "$work/$kind-photos" >/dev/null
   length=$(tr -d ' \n' <"$work/$kind-photos/chart.json" | grep -oE '"name":"12","measures_cm":\{[^}]*"(front_)?length":[0-9.]+' |
     grep -oE '[0-9.]+$')
+  fabric=$(grep -oE '"fabric": *"[a-z]+"' "$work/$kind-photos/chart.json" | grep -oE '[a-z]+"$' | tr -d '"')
   "$build/bin/shop_catalog" extract "$work/$kind-photos/front.png" "$work/$kind-photos/back.png" --kind "$kind" \
-    --annotation "$work/$kind-photos/truth.json" --chart "$work/$kind-photos/chart.json" --length-cm "$length" --id "${kind//_/-}" \
+    --annotation "$work/$kind-photos/truth.json" --chart "$work/$kind-photos/chart.json" --length-cm "$length" --fabric "$fabric" --id "${kind//_/-}" \
     --out "$work/$kind" >/dev/null
 done
 "$build/tests/bench/population_bench" --bodies "$data/bodies/population" --garments "$work" "$@"
