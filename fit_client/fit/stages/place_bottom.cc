@@ -363,7 +363,7 @@ class BottomPlacement {
       if (outline_.has_legs()) {
         const double below_crotch = std::min(rest_y, RestHeight(outline_.crotch.front()) - LowerBody::kStep);
         ShapeLegs(y, level, levels.At(below_crotch), tubes);
-        BlendAtCrotch(y, rest_y, tubes);
+        BlendAtCrotch(y, tubes);
       }
       tubes_.push_back(std::move(tubes));
     }
@@ -382,10 +382,11 @@ class BottomPlacement {
 
   // Says how far the middle of front and back has come from between the legs to the trunk's tape: as far as the body's
   // own midline where the garment is up, by the garment's own height above its crotch where it hangs round the legs.
-  void BlendAtCrotch(double y, double rest_y, Tubes& tubes) const {
+  void BlendAtCrotch(double y, Tubes& tubes) const {
     const Eigen::Vector3d& groin = body_.groin();
     if (is_lowered_) {
-      const double above = (rest_y - RestHeight(outline_.crotch.front())) / kLoweredFork;
+      const double crotch = heights_[static_cast<size_t>(outline_.crotch.front())] + LowerBody::kStep;
+      const double above = (y - crotch) / kLoweredFork;
       tubes.trunk_front = tubes.trunk_back = tubes.trunk_side = std::clamp(above, 0.0, 1.0);
       return;
     }

@@ -1,0 +1,132 @@
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "common/base/executor.h"
+#include "fit_client/fit/collision/body_repair.h"
+#include "fit_client/fit/panels/fork.h"
+#include "fit_client/fit/panels/fork_mesh.h"
+#include "fit_client/fit/panels/mesh_pattern.h"
+#include "fit_client/fit/panels/reconcile.h"
+#include "fit_client/fit/panels/topology.h"
+#include "fit_client/fit/stages/dress_garment.h"
+#include "fit_client/fitting/fit_inputs.h"
+#include "tests/fit_client/fitting/winding_number.h"
+#include "tests/fit_client/panels/drawn_kinds.h"
+#include "tests/support/test_data.h"
+
+namespace fitroom {
+namespace {
+
+ClothMesh Cut(GarmentKind kind, const Garment& garment) {
+  const GarmentPattern pattern = ReconcileViews(garment).value();
+  if (!HasLegs(kind)) return MeshPattern(pattern, 0.015).value();
+  ForkEvidence evidence;
+  evidence.rule = ForkRule::kAldrich;
+  return MeshFork(BuildFork(pattern, evidence).value(), 0.015).value();
+}
+
+struct Wearer {
+  explicit Wearer(const std::string& name)
+      : scan(LoadScan(testing::TestDataFolder() / "bodies/population" / (name + ".ply")).value()),
+        collider(RepairBody(scan.body.mesh).value()) {}
+  Result<Dressing> PutOn(GarmentKind kind, const ClothMesh& cloth, const std::vector<WornGarment>& layers,
+                         Executor& executor) const {
+    return DressGarment(cloth, kind, {scan.body, collider, layers}, DressingOptions(), executor, {});
+  }
+  BodyInput scan;
+  TriangleMesh collider;
+};
+
+int CountInside(const TriangleMesh& solid, const std::vector<Eigen::Vector3d>& places) {
+  int count = 0;
+  for (size_t i = 0; i < places.size(); i += 13) count += testing::WindingNumber(solid, places[i]) > 0.5;
+  return count;
+}
+
+double MeanHeight(const ClothMesh& cloth, const std::vector<Eigen::Vector3d>& places, const std::string& ending) {
+  double sum = 0.0;
+  int count = 0;
+  for (const NamedParticle& named : cloth.named_particles) {
+    if (!named.name.ends_with(ending)) continue;
+    sum += places[static_cast<size_t>(named.particle)].y();
+    ++count;
+  }
+  EXPECT_GT(count, 0) << ending;
+  return sum / std::max(count, 1);
+}
+
+// S40, S41: every kind comes to rest on a body, its seams closed, nothing inside the body by the winding number.
+TEST(WornKinds, EveryKindIsWornOutsideTheBodyAndAtRest) {
+  FR_REQUIRE_TEST_DATA();
+  const Wearer wearer("p001");
+  ThreadPool executor(2);
+  for (const GarmentKind kind :
+       {GarmentKind::kSkirt, GarmentKind::kPants, GarmentKind::kOnePiece, GarmentKind::kSleevedOnePiece}) {
+    const std::string what(GarmentKindName(kind));
+    const ClothMesh cloth = Cut(kind, testing::DrawKind(kind));
+    EXPECT_EQ(ComputeEulerCharacteristic(cloth), ExpectedEulerCharacteristic(kind)) << what;
+    const Result<Dressing> worn = wearer.PutOn(kind, cloth, {}, executor);
+    ASSERT_TRUE(worn.ok()) << what << worn.status().ToString();
+    EXPECT_EQ(worn->report.outcome, DrapeOutcome::kAtRest) << what << ": " << worn->report.finishing_reason;
+    EXPECT_LE(worn->report.final_seam_gap_max, 0.0005) << what;
+    EXPECT_EQ(CountInside(wearer.scan.body.mesh, worn->stages.final), 0) << what;
+    EXPECT_EQ(worn->bottom.has_value(), IsBottom(kind)) << what;
+    if (kind == GarmentKind::kPants) {
+      EXPECT_NEAR(MeanHeight(cloth, worn->stages.final, "/crotch"),
+                  wearer.scan.body.landmarks[BodyLandmark::kCrotch].position.y(), 0.01);
+    }
+    if (kind == GarmentKind::kSkirt) {
+      EXPECT_NEAR(worn->bottom->belt.height, wearer.scan.body.measurements.waist.height, 0.01);
+      EXPECT_EQ(worn->bottom->pull_end, PullEnd::kEdgeAtHeight);
+    }
+  }
+}
+
+// S41: the stages show the order, from below the groin upwards.
+TEST(WornKinds, TrousersComeFromBelowTheGroin) {
+  FR_REQUIRE_TEST_DATA();
+  const Wearer wearer("p001");
+  ThreadPool executor(2);
+  const ClothMesh cloth = Cut(GarmentKind::kPants, testing::DrawKind(GarmentKind::kPants));
+  const DressingStages stages = wearer.PutOn(GarmentKind::kPants, cloth, {}, executor).value().stages;
+  const double groin = wearer.scan.body.landmarks[BodyLandmark::kCrotch].position.y();
+  EXPECT_LT(MeanHeight(cloth, stages.start, "/crotch"), groin - 0.1);
+  EXPECT_LT(MeanHeight(cloth, stages.stitched, "/crotch"), groin - 0.1);
+  EXPECT_GT(MeanHeight(cloth, stages.pulled_up, "/e1"), MeanHeight(cloth, stages.stitched, "/e1") + 0.1);
+  EXPECT_NEAR(MeanHeight(cloth, stages.belted, "/e1"), MeanHeight(cloth, stages.final, "/e1"), 1e-4);
+  for (const SeamPair& pair : cloth.seams) {
+    EXPECT_LT((stages.stitched[static_cast<size_t>(pair.a)] - stages.stitched[static_cast<size_t>(pair.b)]).norm(),
+              0.01);
+  }
+}
+
+// S42: a shirt over a skirt ends outside of it.
+TEST(WornKinds, AShirtIsWornOverASkirtAndNothingOfItEndsInside) {
+  FR_REQUIRE_TEST_DATA();
+  const Wearer wearer("p002");
+  ThreadPool executor(2);
+  const ClothMesh skirt = Cut(GarmentKind::kSkirt, testing::DrawKind(GarmentKind::kSkirt));
+  const Dressing below = wearer.PutOn(GarmentKind::kSkirt, skirt, {}, executor).value();
+  const std::vector<WornGarment> layers = {MakeWornGarment(GarmentKind::kSkirt, skirt, below.stages.final).value()};
+  const ClothMesh shirt = Cut(GarmentKind::kTShirt, testing::DrawKind(GarmentKind::kTShirt));
+  const Result<Dressing> over = wearer.PutOn(GarmentKind::kTShirt, shirt, layers, executor);
+  ASSERT_TRUE(over.ok()) << over.status().ToString();
+  EXPECT_EQ(over->report.outcome, DrapeOutcome::kAtRest) << over->report.finishing_reason;
+  EXPECT_EQ(CountInside(layers[0].surface, over->stages.final), 0);
+  EXPECT_EQ(CountInside(wearer.scan.body.mesh, over->stages.final), 0);
+}
+
+TEST(WornKinds, OneThreadAndTwoGiveTheSameBytes) {
+  FR_REQUIRE_TEST_DATA();
+  const Wearer wearer("p003");
+  const ClothMesh skirt = Cut(GarmentKind::kSkirt, testing::DrawKind(GarmentKind::kSkirt));
+  SerialExecutor one;
+  ThreadPool two(2);
+  EXPECT_EQ(wearer.PutOn(GarmentKind::kSkirt, skirt, {}, one)->stages.final,
+            wearer.PutOn(GarmentKind::kSkirt, skirt, {}, two)->stages.final);
+}
+
+}  // namespace
+}  // namespace fitroom
