@@ -11,6 +11,7 @@ namespace {
 constexpr double kMergingPicture = 0.45;  // How far the panels have come in the picture of the merging, 0 to 1.
 constexpr double kLeastToSay = 0.005;     // Differences of waist and rise below this are none (unit: metre).
 constexpr double kWaistReached = 0.004;   // A waist this far below its height is there (unit: metre).
+constexpr double kWholeSkirt = 1e3;       // (unit: metre)
 constexpr double kBeltClearance = 0.001;  // From the contact offset to the belt (unit: metre).
 constexpr double kPushOutLimit = 0.03;    // A start place is moved out of the body by no more (unit: metre).
 
@@ -97,7 +98,10 @@ Result<Dressing> DressBottom(const ClothMesh& cloth, const DressedBody& wearer, 
   PullUpOptions pull;
   pull.crotch_vertices = outline.crotch;
   pull.edge_vertices = WaistVertices(outline);
-  if (!outline.has_legs()) pull.edge_height = lower.waist_height() - kWaistReached;
+  if (!outline.has_legs()) {
+    pull.edge_height = lower.waist_height() - kWaistReached;
+    pull.grip_length = kWholeSkirt;  // Nothing below the waist could be blown up: the skirt rises as it is.
+  }
   drape.pull_up = std::move(pull);
   drape.attach = [&](std::span<const Eigen::Vector3d> positions) -> Result<std::vector<Attachment>> {
     const double height = MeanWaistHeight(outline, positions);
