@@ -29,6 +29,8 @@ endif()
 set(fitroom_precompiled_headers <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <span>
                                 <string> <string_view> <vector> <Eigen/Core> <Eigen/Geometry>)
 if(FITROOM_PRECOMPILE)
+  # What links gRPC is compiled with it; headers serve only files that are compiled alike.
+  target_compile_options(fitroom_flags INTERFACE -pthread)
   file(WRITE ${PROJECT_BINARY_DIR}/precompiled.cc "")
   add_library(fitroom_precompiled STATIC ${PROJECT_BINARY_DIR}/precompiled.cc)
   target_link_libraries(fitroom_precompiled PRIVATE fitroom_flags Eigen3::Eigen)

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "common/base/check.h"
+#include "shop_catalog/garment/flat_curve.h"
+#include "shop_catalog/garment/garment_shape.h"
 
 namespace fitroom::shop_catalog {
 namespace {
@@ -109,6 +111,13 @@ Measures TrouserMeasures(const BodyGirths& body, bool is_short, ForkRule rule) {
   Add(measures, "back_rise", fork.back_rise);
   Add(measures, "inseam", inseam);
   Add(measures, "length", depth + inseam);
+  if (is_short) {
+    // Shorts lie wider than the hip at the crotch's height, and the leg is wider by as much as they show.
+    const GarmentShape shape = MakeGarmentShape(GarmentKind::kShorts, measures);
+    for (GarmentMeasure& measure : measures) {
+      if (measure.name == "thigh_width") measure.value += 0.01 * (AtHeight(shape.side, depth).x() - 0.5 * hip);
+    }
+  }
   return measures;
 }
 

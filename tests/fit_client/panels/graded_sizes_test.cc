@@ -110,6 +110,7 @@ TEST(GradedForks, AreBuiltInEverySizeByEveryRule) {
   for (const auto rule :
        {shop_catalog::ForkRule::kClose, shop_catalog::ForkRule::kTrouser, shop_catalog::ForkRule::kClassic}) {
     for (const GarmentKind kind : {GarmentKind::kPants, GarmentKind::kShorts}) {
+      SCOPED_TRACE(std::string(GarmentKindName(kind)) + ", rule " + std::to_string(static_cast<int>(rule)));
       const Result<SizeChart> chart = DrawnSizeChart(kind, "12", rule);
       ASSERT_TRUE(chart.ok());
       const GarmentSize& from = *FindSize(*chart, "12");
