@@ -127,8 +127,10 @@ TEST(ExternalKinds, PointsLieWhereTheyWereMarkedByHand) {
 }
 
 // Every photograph under its own kind and under another, in turn: the right one should be taken, others refused.
+// Each takes seconds: a third of the photographs.
 TEST(ExternalKinds, TheWrongKindIsRefused) {
   FR_REQUIRE_TEST_DATA();
+  constexpr int kEvery = 3;
   const std::vector<std::pair<const char*, GarmentKind>> folders = {
       {"trousers", GarmentKind::kPants}, {"shorts", GarmentKind::kShorts}, {"skirt", GarmentKind::kSkirt},
       {"dress", GarmentKind::kOnePiece}, {"tshirt", GarmentKind::kTShirt}, {"longsleeve", GarmentKind::kLongSleeve}};
@@ -138,9 +140,9 @@ TEST(ExternalKinds, TheWrongKindIsRefused) {
     std::map<std::string, int> outcome;
     int count = 0;
     for (const fs::path& photo : PhotosOf(folder)) {
+      if (++count % kEvery != 0) continue;
       const std::string bytes = Read(photo);
-      ++count;
-      const size_t step = 1 + static_cast<size_t>(count) % (folders.size() - 1);
+      const size_t step = 1 + static_cast<size_t>(count / kEvery) % (folders.size() - 1);
       for (const size_t k : {f, (f + step) % folders.size()}) {
         const auto& [other, kind] = folders[k];
         const Result<GarmentExtraction> extraction = Extract(bytes, kind);
