@@ -30,8 +30,8 @@ ViewSamples SampleUpright(const std::vector<SectionLayout>& layout, const KnotIn
 // Moves a view's points so that the mean of all samples on sections that both views share is the origin.
 void CentreOnSeams(const std::vector<SectionLayout>& layout, ViewSamples& samples);
 
-// Turns a view so that the ends of its upper opening, the first section, are level: how a garment without a mirror plane
-// is stood upright.
+// Turns a view so that the ends of its upper opening, the first section, are level: how a garment without a mirror
+// plane is stood upright.
 void LevelUpperOpening(ViewSamples& samples);
 
 // Returns a section's points mirrored at the plane x = 0 and in reverse order: as its mirror section runs.
