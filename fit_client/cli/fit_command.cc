@@ -96,7 +96,13 @@ Result<std::vector<Layer>> MakeLayers(const FitFlags& flags, const std::vector<G
 Result<FitOptions> MakeOptions(const FitFlags& flags) {
   FitOptions options;
   options.pitch = flags.pitch_cm * 0.01;
-  if (flags.profile == "paper") options.profile = FitProfile::kPaper;
+  if (flags.profile == "paper") {
+    options.profile = FitProfile::kPaper;
+    if (flags.pitch_cm < 2.0) {
+      return InvalidArgument("PITCH_TOO_FINE",
+                             "the profile \"paper\" takes meshes of 2 cm and more; add --pitch-cm 2.5");
+    }
+  }
   options.dressing.drape.self_collision = !flags.no_self_collision;
   if (!flags.fork.empty()) {
     options.fork_rule = ForkRuleFromName(flags.fork);
@@ -122,7 +128,8 @@ Result<Outfit> FitBestOfAllSizes(const FitFlags& flags, const BodyInput& body,
     FR_RETURN_IF_ERROR(WriteSizeSheet(flags.out, sizes, executor.thread_count()));
     stopwatch.Lap("sheet of sizes");
   }
-  const std::string best = sizes.front().garments.front().report.recommendation->size;
+  std::string best = sizes.front().garments.front().report.recommendation->size;
+  if (best.empty()) best = garments.front().garment.chart.photographed_size;
   for (Outfit& outfit : sizes) {
     if (outfit.garments.front().cut.size == best) return std::move(outfit);
   }

@@ -15,7 +15,7 @@ std::string Joined(const std::vector<std::string>& names) {
 std::string Account(const ForkedPattern& forked) {
   const Provenance thigh = FindMeasure(forked.measures, "thigh_width")->provenance;
   if (forked.extension_clamped) {
-    return "the stated thigh does not go with the hip; the fork was held to what trousers have";
+    return "the thigh does not go with the hip; the fork was held to what trousers have";
   }
   if (thigh == Provenance::kMeasured) return "the fork was rebuilt from the side-folded photograph";
   if (thigh == Provenance::kStated) return "the fork was rebuilt from the stated measures";

@@ -44,10 +44,11 @@ std::vector<GarmentMeasure> MeasuresOf(const Garment& garment, const GarmentPatt
   for (GarmentMeasure& measure : measures) {
     if (measure.provenance != Provenance::kUnknown) continue;
     const GarmentMeasure* stated = row != nullptr ? FindMeasure(row->measures, measure.name) : nullptr;
-    if (stated == nullptr) stated = FindMeasure(garment.measures, measure.name);
+    const bool is_photographed = row == nullptr || size == garment.chart.photographed_size;
+    if (stated == nullptr && is_photographed) stated = FindMeasure(garment.measures, measure.name);
     if (stated == nullptr || stated->provenance == Provenance::kUnknown) continue;
     measure.value = stated->value;
-    measure.provenance = row != nullptr ? Provenance::kStated : stated->provenance;
+    measure.provenance = stated->provenance;
   }
   return measures;
 }

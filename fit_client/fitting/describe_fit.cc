@@ -76,7 +76,7 @@ void DescribeInputs(const BodyInput& body, const Garment& garment, const CutGarm
   report.notes = cut.notes;
 }
 
-void DescribeOutcome(const Dressing& dressed, const DrapeOptions& options, FitReport& report) {
+void DescribeOutcome(const Dressing& dressed, bool is_bottom, const DrapeOptions& options, FitReport& report) {
   const DrapeReport& drape = dressed.report;
   report.finished = drape.outcome == DrapeOutcome::kAtRest && drape.touching_condition_met;
   switch (drape.outcome) {
@@ -111,7 +111,7 @@ void DescribeOutcome(const Dressing& dressed, const DrapeOptions& options, FitRe
   if (dressed.shoulder_point_count > 0) {
     report.residuals.push_back(
         {"shoulder points to body", "shoulder_distance", drape.touching_distance_max, options.touching_distance, "m"});
-  } else if (!dressed.bottom) {
+  } else if (!is_bottom) {
     report.notes.push_back("every shoulder point of the garment drops to the arm; only rest ended the fit");
   }
   report.residuals.push_back(
@@ -122,7 +122,8 @@ void DescribeOutcome(const Dressing& dressed, const DrapeOptions& options, FitRe
                         drape.deepest_penetration};
   report.self_crossing_count = drape.self_crossing_count;
   report.strain = {drape.strain_p50, drape.strain_p95, drape.strain_p99, drape.strain_max};
-  report.substep_count = drape.merging_substeps + drape.draping_substeps;
+  report.substep_count = drape.merging_substeps + drape.relaxing_substeps + drape.pulling_substeps +
+                         drape.belting_substeps + drape.draping_substeps;
 }
 
 void DescribeEase(const BodyMeasurements& girths, const TriangleMesh& body_surface, FittedGarment& worn) {

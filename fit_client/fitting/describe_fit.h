@@ -11,7 +11,7 @@ namespace fitroom {
 void DescribeInputs(const BodyInput& body, const Garment& garment, const CutGarment& cut, FitReport& report);
 
 // Writes down how dressing ended: reason, stages, residuals, seams, penetration, strain, warnings.
-void DescribeOutcome(const Dressing& dressed, const DrapeOptions& options, FitReport& report);
+void DescribeOutcome(const Dressing& dressed, bool is_bottom, const DrapeOptions& options, FitReport& report);
 
 // Measures the ease of the worn garment at bust, waist and hip. `body_surface` is the body without holes.
 void DescribeEase(const BodyMeasurements& girths, const TriangleMesh& body_surface, FittedGarment& worn);

@@ -41,6 +41,9 @@ Result<Dressing> DressOnPaper(const CutGarment& cut, const DressedBody& wearer, 
   dressing.stages.pulled_up = std::move(dressed.pulled_up);
   dressing.stages.final = std::move(dressed.final);
   dressing.report = std::move(dressed.report);
+  if (!IsBottom(cut.kind)) {
+    dressing.shoulder_point_count = static_cast<int>(paper::ShoulderVertices(cut.cloth, wearer.body, start).size());
+  }
   return dressing;
 }
 

@@ -20,6 +20,23 @@ DressingFacts FactsOf(const Dressing& dressed) {
   return facts;
 }
 
+// Gives every report the list of all garments, the innermost first.
+void ListLayers(Outfit& outfit) {
+  std::vector<LayerReport> layers;
+  for (const FittedGarment& worn : outfit.garments) {
+    LayerReport layer;
+    layer.garment = worn.report.garment;
+    layer.kind = worn.report.garment_kind;
+    layer.size = worn.cut.size;
+    layer.outcome = worn.report.finishing_reason;
+    if (worn.report.verdict) layer.verdict = FitVerdictName(worn.report.verdict->verdict);
+    for (const double gap : worn.maps.gap) layer.gap_mean += gap / static_cast<double>(worn.maps.gap.size());
+    layer.particle_count_inside = worn.report.penetration.particle_count_inside;
+    layers.push_back(layer);
+  }
+  for (FittedGarment& worn : outfit.garments) worn.report.layers = layers;
+}
+
 }  // namespace
 
 Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers, const FitOptions& options,
@@ -59,7 +76,7 @@ Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers
     worn.stages = std::move(dressed->stages);
     stopwatch.Lap("dressing");
 
-    DescribeOutcome(*dressed, options.dressing.drape, worn.report);
+    DescribeOutcome(*dressed, IsBottom(garment.kind), options.dressing.drape, worn.report);
     DescribeEase(body.body.measurements, outfit.body_surface, worn);
     JudgeWorn(body.body, FactsOf(*dressed), worn);
     JudgeChart(body.body, worn);
@@ -72,6 +89,7 @@ Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers
     }
     outfit.garments.push_back(std::move(worn));
   }
+  if (outfit.garments.size() > 1) ListLayers(outfit);
   return outfit;
 }
 

@@ -48,7 +48,7 @@ struct Outfit {
   std::vector<FittedGarment> garments;
 };
 
-// Dresses `body` in `layers`, the innermost first, with the `standard` profile: repairs the body into a collider; cuts
+// Dresses `body` in `layers`, the innermost first, by the profile of `options`: repairs the body into a collider; cuts
 // each garment to its size, dresses it over what is worn already, and measures what came out. Fails like RepairBody(),
 // CutGarmentToSize() and DressGarment(); the message names the garment. A garment that does not fit is no failure: its
 // report says how it ended. `layers` and what they point to must outlive the outfit.

@@ -1,5 +1,7 @@
 #include "fit_client/fitting/judge_fit.h"
 
+#include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -8,15 +10,35 @@
 namespace fitroom {
 namespace {
 
-// The measures of another size: what the chart says, and what it does not say as the photographed size differs from it.
+// How much wider another size is than the worn one, by the widths that the chart gives for both; 1 if it gives none.
+double WidthRatio(const GarmentSize* worn, const GarmentSize& size) {
+  double sum = 0.0;
+  int count = 0;
+  for (const GarmentMeasure& to : size.measures) {
+    const GarmentMeasure* from = worn != nullptr ? FindMeasure(worn->measures, to.name) : nullptr;
+    if (from == nullptr || !(from->value > 0.0) || !to.name.ends_with("_width")) continue;
+    sum += to.value / from->value;
+    ++count;
+  }
+  return count > 0 ? sum / count : 1.0;
+}
+
+// The measures of another size: what the chart says, by its difference to the worn size; widths that it does not give
+// follow the others in proportion, and are unknown where it gives no width at all.
 std::vector<GarmentMeasure> MeasuresOfSize(const FittedGarment& fitted, const GarmentSize& size) {
   const SizeChart& chart = fitted.input->garment.chart;
   const GarmentSize* worn = FindSize(chart, fitted.cut.size);
+  const double ratio = WidthRatio(worn, size);
   std::vector<GarmentMeasure> measures = fitted.cut.measures;
   for (GarmentMeasure& measure : measures) {
     const GarmentMeasure* to = FindMeasure(size.measures, measure.name);
     const GarmentMeasure* from = worn != nullptr ? FindMeasure(worn->measures, measure.name) : nullptr;
-    if (to == nullptr) continue;
+    if (to == nullptr) {
+      if (!measure.name.ends_with("_width") || measure.provenance == Provenance::kUnknown) continue;
+      measure.value *= ratio;
+      measure.provenance = ratio == 1.0 ? Provenance::kUnknown : Provenance::kRuled;
+      continue;
+    }
     measure.value = from != nullptr ? measure.value + to->value - from->value : to->value;
     measure.provenance = Provenance::kStated;
   }
@@ -28,6 +50,28 @@ size_t IndexOf(const SizeChart& chart, const std::string& size) {
     if (chart.sizes[i].name == size) return i;
   }
   return chart.sizes.size();
+}
+
+// The measured zone nearest to the widest open seam.
+FitZone ZoneOfOpenSeam(const FittedGarment& fitted) {
+  const std::vector<Eigen::Vector3d>& places = fitted.stages.final;
+  double widest = -1.0;
+  double height = 0.0;
+  for (const SeamPair& pair : fitted.cut.cloth.seams) {
+    const Eigen::Vector3d& a = places[static_cast<size_t>(pair.a)];
+    const Eigen::Vector3d& b = places[static_cast<size_t>(pair.b)];
+    if ((a - b).norm() <= widest) continue;
+    widest = (a - b).norm();
+    height = 0.5 * (a.y() + b.y());
+  }
+  FitZone nearest = PrimaryZone(fitted.input->garment.kind);
+  double distance = std::numeric_limits<double>::infinity();
+  for (const ZoneFit& zone : fitted.report.zones) {
+    if (!zone.measured || std::abs(zone.height - height) >= distance) continue;
+    distance = std::abs(zone.height - height);
+    nearest = zone.zone;
+  }
+  return nearest;
 }
 
 }  // namespace
@@ -59,6 +103,7 @@ void JudgeWorn(const Body& body, const DressingFacts& facts, FittedGarment& fitt
   verdict.fabric = fabric;
   verdict.zones = fitted.report.zones;
   verdict.facts = facts;
+  if (facts.open_gap > 0.0) verdict.facts.open_zone = ZoneOfOpenSeam(fitted);
   verdict.unknown = UnknownDimensions(garment.kind, fitted.cut.measures);
   const size_t index = IndexOf(garment.chart, fitted.cut.size);
   if (index < garment.chart.sizes.size()) verdict.intended = IntendedGirths(garment.chart, index);

@@ -73,7 +73,7 @@ struct LayerReport {
   std::string size;               // Of its chart; may be empty.
   std::string outcome;            // "AT_REST", …
   std::string verdict;            // "good", "tight", …; empty where it was not judged.
-  double gap_mean = 0.0;          // From what lies under it, the body included (unit: metre).
+  double gap_mean = 0.0;          // From the body (unit: metre).
   int particle_count_inside = 0;  // In what lies under it.
 };
 

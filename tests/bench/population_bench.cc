@@ -205,6 +205,11 @@ int Run(const Flags& flags) {
   std::vector<std::filesystem::path> chosen;
   for (size_t i = 0; i < files.size(); i += static_cast<size_t>(flags.every)) chosen.push_back(files[i]);
 
+  if (chosen.empty()) {
+    std::fprintf(stderr, "no PLY in %s\n", flags.bodies.c_str());
+    return 1;
+  }
+
   std::vector<Row> all;
   std::mutex mutex;
   std::atomic<size_t> next = 0;
@@ -212,7 +217,16 @@ int Run(const Flags& flags) {
     for (size_t i = next++; i < chosen.size(); i = next++) {
       const Result<BodyInput> body = LoadScan(chosen[i]);
       if (!body.ok()) {
-        std::fprintf(stderr, "%s\n", body.status().message().c_str());
+        const std::lock_guard lock(mutex);
+        for (const std::string& outfit : flags.outfits) {
+          Row row;
+          row.body = chosen[i].stem().string();
+          row.outfit = outfit;
+          row.reason = body.status().reason();
+          row.text = body.status().message();
+          PrintRow(row);
+          all.push_back(row);
+        }
         continue;
       }
       for (const std::string& outfit : flags.outfits) {
@@ -236,8 +250,8 @@ int Run(const Flags& flags) {
 int main(int argc, char** argv) {
   fitroom::Flags flags;
   CLI::App app("Dresses a population in outfits and says how each fit ended");
-  app.add_option("--bodies", flags.bodies, "Folder of PLY scans")->required();
-  app.add_option("--garments", flags.garments, "Folder of garment folders")->required();
+  app.add_option("--bodies", flags.bodies, "Folder of PLY scans")->required()->check(CLI::ExistingDirectory);
+  app.add_option("--garments", flags.garments, "Folder of garment folders")->required()->check(CLI::ExistingDirectory);
   app.add_option("--outfit", flags.outfits, "Garments joined by +, the innermost first; several times");
   app.add_option("--every", flags.every, "Only every n-th body")->check(CLI::Range(1, 1000));
   app.add_option("--step", flags.step, "So many sizes larger (or smaller) than the right one");

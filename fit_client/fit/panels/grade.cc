@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "fit_client/fit/panels/grade_measures.h"
 #include "fit_client/fit/panels/grade_moves.h"
@@ -28,12 +29,18 @@ std::string Millimetres(double metres) {
   return text;
 }
 
+// NaN for a measure that the outline lost on the way.
+double ValueOf(const MeasureMap& measures, const std::string& name) {
+  const auto found = measures.find(name);
+  return found == measures.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+}
+
 // Corrects the increments by what is missing until nothing is: the measures depend on them almost one to one, so that
 // each round leaves a small part of the error.
 GarmentPattern MeetTargets(const GarmentPattern& photographed, const MeasureMap& measured, const GradeTargets& goal) {
   Increments increments;
   for (const panels::GradeDriver& driver : goal.drivers) {
-    increments[driver.increment] = driver.sign * (goal.targets.at(driver.measure) - measured.at(driver.measure));
+    increments[driver.increment] = driver.sign * (goal.targets.at(driver.measure) - ValueOf(measured, driver.measure));
   }
   // A crotch that is driven by the inseam sinks with the hem as well.
   if (increments.contains("crotch_depth") && goal.drivers.end()[-2].sign < 0) {
@@ -45,7 +52,8 @@ GarmentPattern MeetTargets(const GarmentPattern& photographed, const MeasureMap&
     const MeasureMap now = panels::MeasureByName(graded);
     double worst = 0.0;
     for (const panels::GradeDriver& driver : goal.drivers) {
-      const double missing = goal.targets.at(driver.measure) - now.at(driver.measure);
+      const double missing = goal.targets.at(driver.measure) - ValueOf(now, driver.measure);
+      if (!std::isfinite(missing)) return graded;
       worst = std::max(worst, std::abs(missing));
       increments[driver.increment] += driver.sign * missing;
     }
@@ -65,7 +73,7 @@ std::vector<GradedMeasure> Account(const GarmentPattern& photographed, const Gar
     measure.name = name;
     measure.photographed = found->second;
     measure.target = goal.targets.at(name);
-    measure.graded = now.at(name);
+    measure.graded = ValueOf(now, name);
     measure.given = std::find(goal.given.begin(), goal.given.end(), name) != goal.given.end();
     measure.hidden = panels::IsHiddenByFolding(photographed.kind, name);
     measures.push_back(std::move(measure));
