@@ -14,6 +14,7 @@
 #include "fit_client/fitting/fit_inputs.h"
 #include "fit_client/fitting/fit_outfit.h"
 #include "fit_client/fitting/fit_outputs.h"
+#include "fit_client/fitting/own_size.h"
 
 namespace fitroom::fit_client {
 namespace {
@@ -78,9 +79,11 @@ Result<std::vector<GarmentInput>> LoadGarments(const FitFlags& flags) {
   return garments;
 }
 
-// The sizes belong to the garments in order; a single one counts for a single garment only.
-Result<std::vector<Layer>> MakeLayers(const FitFlags& flags, const std::vector<GarmentInput>& garments) {
-  if (!flags.sizes.empty() && flags.sizes.size() != garments.size()) {
+// The sizes belong to the garments in order; a single one counts for a single garment, a single "auto" for all.
+Result<std::vector<Layer>> MakeLayers(const FitFlags& flags, const BodyInput& body,
+                                      const std::vector<GarmentInput>& garments) {
+  const bool own_sizes = flags.sizes.size() == 1 && flags.sizes.front() == kOwnSize;
+  if (!own_sizes && !flags.sizes.empty() && flags.sizes.size() != garments.size()) {
     return InvalidArgument("SIZES_DO_NOT_MATCH",
                            "there are " + std::to_string(garments.size()) + " garments and " +
                                std::to_string(flags.sizes.size()) +
@@ -88,7 +91,12 @@ Result<std::vector<Layer>> MakeLayers(const FitFlags& flags, const std::vector<G
   }
   std::vector<Layer> layers;
   for (size_t i = 0; i < garments.size(); ++i) {
-    layers.push_back({&garments[i], flags.sizes.empty() ? std::string() : flags.sizes[i]});
+    std::string size = flags.sizes.empty() ? std::string() : flags.sizes[own_sizes ? 0 : i];
+    if (size == kOwnSize) {
+      FR_ASSIGN_OR_RETURN(const SizeChoice own, ChooseOwnSize(garments[i].garment, body.body));
+      size = own.size;
+    }
+    layers.push_back({&garments[i], size});
   }
   return layers;
 }
@@ -145,7 +153,7 @@ Status RunFit(const FitFlags& flags) {
   FR_ASSIGN_OR_RETURN(const BodyInput body, LoadBody(flags));
   stopwatch.Lap("body");
   FR_ASSIGN_OR_RETURN(const std::vector<GarmentInput> garments, LoadGarments(flags));
-  FR_ASSIGN_OR_RETURN(const std::vector<Layer> layers, MakeLayers(flags, garments));
+  FR_ASSIGN_OR_RETURN(const std::vector<Layer> layers, MakeLayers(flags, body, garments));
   stopwatch.Lap("garment");
   FR_ASSIGN_OR_RETURN(const FitOptions options, MakeOptions(flags));
   FR_ASSIGN_OR_RETURN(Outfit outfit,
@@ -186,7 +194,8 @@ void AddFitCommand(CLI::App& app, int& exit_code) {
                    "A pulled garment's id, or the folder of an extracted one; several times for layers, the innermost "
                    "first")
       ->required();
-  command->add_option("--size", flags->sizes, "A size of its chart, once a garment (default: as photographed)");
+  command->add_option("--size", flags->sizes,
+                      "A size of its chart, once a garment, or auto: yours by the chart (default: as photographed)");
   command->add_option("--out", flags->out, "Folder for what the fit makes")->capture_default_str();
   command->add_option("--pitch-cm", flags->pitch_cm, "Edge length of the cloth mesh")
       ->check(CLI::Range(0.4, 4.0))

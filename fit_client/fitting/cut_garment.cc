@@ -81,14 +81,15 @@ Result<CutGarment> CutGarmentToSize(const Garment& garment, const CutOptions& op
   FR_ASSIGN_OR_RETURN(const GarmentPattern photographed, ReconcileViews(garment));
   GarmentPattern pattern = photographed;
   FR_ASSIGN_OR_RETURN(cut.size, GradeToSize(garment, options.size, pattern));
-  std::optional<ForkedPattern> forked;
+  CutForkResult fork;
   if (options.with_fork) {
-    FR_ASSIGN_OR_RETURN(forked, CutFork(garment, photographed, pattern, cut.size, options.fork_rule, cut.notes));
+    FR_ASSIGN_OR_RETURN(fork, CutFork(garment, photographed, pattern, cut.size, options.fork_rule, cut.notes));
   }
+  const std::optional<ForkedPattern>& forked = fork.forked;
   FR_ASSIGN_OR_RETURN(cut.cloth, forked ? MeshFork(*forked, options.pitch) : MeshPattern(pattern, options.pitch));
   cut.topology = ComputeWeldedTopology(cut.cloth);
   cut.measures = MeasuresOf(garment, pattern, cut.size);
-  if (forked) TakeForkMeasures(*forked, cut.measures);
+  if (forked && !fork.is_assumed) TakeForkMeasures(*forked, cut.measures);
   if (pattern.asymmetric_by_design) {
     cut.notes.push_back("the garment is asymmetric by design; left and right are kept");
   }

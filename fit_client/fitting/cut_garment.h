@@ -16,7 +16,8 @@ struct CutOptions {
   double pitch = 0.01;    // Edge length of the cloth mesh (unit: metre).
   std::string size;       // Of the garment's chart; empty: as photographed.
   bool with_fork = true;  // Off: trousers stay two panels, as printed.
-  // For trousers whose fork is neither stated nor photographed: an estimate. Empty: they are cut without one.
+  // For trousers whose fork is neither stated nor photographed: an estimate that is judged. Empty: an assumed fork is
+  // worn and not judged, see CutFork().
   std::optional<ForkRule> fork_rule;
 };
 

@@ -17,9 +17,9 @@
 #include <CLI/CLI.hpp>
 
 #include "common/base/executor.h"
-#include "common/garment/size_choice.h"
 #include "fit_client/fitting/fit_inputs.h"
 #include "fit_client/fitting/fit_outfit.h"
+#include "fit_client/fitting/own_size.h"
 
 namespace fitroom {
 namespace {
@@ -79,11 +79,7 @@ std::vector<std::string> GarmentsOf(const std::string& outfit) {
 
 Result<std::string> SizeFor(const Garment& garment, const Body& body, int step) {
   if (garment.chart.sizes.empty()) return std::string();
-  BodyGirths girths;
-  girths.bust = body.measurements.bust.girth;
-  girths.waist = body.measurements.waist.girth;
-  girths.hip = body.measurements.hip.girth;
-  FR_ASSIGN_OR_RETURN(const SizeChoice choice, ChooseSize(garment.kind, garment.fabric, garment.chart, girths));
+  FR_ASSIGN_OR_RETURN(const SizeChoice choice, ChooseOwnSize(garment, body));
   const int last = static_cast<int>(garment.chart.sizes.size()) - 1;
   return garment.chart.sizes[static_cast<size_t>(std::clamp(choice.index + step, 0, last))].name;
 }

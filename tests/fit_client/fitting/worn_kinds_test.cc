@@ -1,3 +1,4 @@
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "fit_client/fit/panels/reconcile.h"
 #include "fit_client/fit/panels/topology.h"
 #include "fit_client/fit/stages/dress_garment.h"
+#include "fit_client/fitting/cut_garment.h"
 #include "fit_client/fitting/fit_inputs.h"
 #include "tests/fit_client/fitting/winding_number.h"
 #include "tests/fit_client/panels/drawn_kinds.h"
@@ -55,6 +57,24 @@ double MeanHeight(const ClothMesh& cloth, const std::vector<Eigen::Vector3d>& pl
   }
   EXPECT_GT(count, 0) << ending;
   return sum / std::max(count, 1);
+}
+
+// How many parts of the cloth hang together before anything is sewn.
+int CountPieces(const ClothMesh& cloth) {
+  std::vector<size_t> parent(cloth.rest_positions.size());
+  std::iota(parent.begin(), parent.end(), size_t{0});
+  const auto root = [&parent](size_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (const Eigen::Vector3i& triangle : cloth.triangles) {
+    for (const int corner : {triangle[1], triangle[2]}) {
+      parent[root(static_cast<size_t>(corner))] = root(static_cast<size_t>(triangle[0]));
+    }
+  }
+  int count = 0;
+  for (size_t i = 0; i < parent.size(); ++i) count += root(i) == i;
+  return count;
 }
 
 // S40, S41: every kind comes to rest on a body, its seams closed, nothing inside the body by the winding number.
@@ -116,6 +136,32 @@ TEST(WornKinds, AShirtIsWornOverASkirtAndNothingOfItEndsInside) {
   EXPECT_EQ(over->report.outcome, DrapeOutcome::kAtRest) << over->report.finishing_reason;
   EXPECT_EQ(CountInside(layers[0].surface, over->stages.final), 0);
   EXPECT_EQ(CountInside(wearer.scan.body.mesh, over->stages.final), 0);
+}
+
+// S46: folded photographs do not decide the fork. The garment can be worn, what is hidden stays unknown; asked for, a
+// rule's estimate is one.
+TEST(WornKinds, AnAssumedForkIsWornAndNotMeasured) {
+  const Garment garment = testing::DrawKind(GarmentKind::kPants);
+  CutOptions options;
+  options.pitch = 0.02;
+  const CutGarment assumed = CutGarmentToSize(garment, options).value();
+  options.fork_rule = ForkRule::kAldrich;
+  const CutGarment ruled = CutGarmentToSize(garment, options).value();
+  options.with_fork = false;
+  const CutGarment flat = CutGarmentToSize(garment, options).value();
+  EXPECT_EQ(ComputeEulerCharacteristic(assumed.cloth), ExpectedEulerCharacteristic(GarmentKind::kPants));
+  // Four pieces: a fork lies between the legs, which the two folded panels do not have.
+  EXPECT_EQ(CountPieces(assumed.cloth), 4);
+  EXPECT_EQ(CountPieces(flat.cloth), 2);
+  for (const char* name : {"thigh_width", "front_rise", "back_rise"}) {
+    const GarmentMeasure* of_assumed = FindMeasure(assumed.measures, name);
+    const GarmentMeasure* of_ruled = FindMeasure(ruled.measures, name);
+    EXPECT_TRUE(of_assumed == nullptr || of_assumed->provenance == Provenance::kUnknown) << name;
+    ASSERT_NE(of_ruled, nullptr) << name;
+    EXPECT_EQ(of_ruled->provenance, Provenance::kRuled) << name;
+  }
+  ASSERT_FALSE(assumed.notes.empty());
+  EXPECT_NE(assumed.notes.front().find("thigh_width"), std::string::npos) << assumed.notes.front();
 }
 
 TEST(WornKinds, OneThreadAndTwoGiveTheSameBytes) {
