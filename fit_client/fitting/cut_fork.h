@@ -6,7 +6,7 @@
 
 #include "common/base/status.h"
 #include "common/garment/garment.h"
-#include "fit_client/fit/panels/fork.h"
+#include "fit_client/fit/fork/fork.h"
 
 namespace fitroom {
 

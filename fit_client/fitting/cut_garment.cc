@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "fit_client/fit/panels/fork_mesh.h"
-#include "fit_client/fit/panels/grade.h"
+#include "fit_client/fit/fork/fork_mesh.h"
+#include "fit_client/fit/grading/grade.h"
 #include "fit_client/fit/panels/measure.h"
 #include "fit_client/fit/panels/mesh_pattern.h"
 #include "fit_client/fit/panels/reconcile.h"

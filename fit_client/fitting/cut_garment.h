@@ -7,7 +7,7 @@
 #include "common/base/status.h"
 #include "common/garment/garment.h"
 #include "fit_client/fit/cloth_mesh.h"
-#include "fit_client/fit/panels/fork.h"
+#include "fit_client/fit/fork/fork.h"
 #include "fit_client/fit/panels/topology.h"
 
 namespace fitroom {

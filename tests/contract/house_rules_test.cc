@@ -56,6 +56,9 @@ const std::vector<Rule> kRules = {
     {"fit_client/fit",
      {kGrpc, kOpenCv, kSqlite, R"(^(CLI|spdlog|nlohmann|GL|tbb|oneapi)/)", R"(^(chrono|thread)$)",
       R"(^fit_client/(?!fit/))"}},
+    {"fit_client/fit/panels", {R"(^fit_client/fit/(?!panels/|cloth_mesh\.h))"}},
+    {"fit_client/fit/grading", {R"(^fit_client/fit/(?!panels/|grading/|cloth_mesh\.h))"}},
+    {"fit_client/fit/fork", {R"(^fit_client/fit/(?!panels/|fork/|cloth_mesh\.h))"}},
     {"fit_client/render", {kGrpc, kSqlite}},
     {"fit_client/report", {kGrpc, kSqlite}},
 };

@@ -6,8 +6,8 @@
 
 #include "common/base/executor.h"
 #include "fit_client/fit/collision/body_repair.h"
-#include "fit_client/fit/panels/fork.h"
-#include "fit_client/fit/panels/fork_mesh.h"
+#include "fit_client/fit/fork/fork.h"
+#include "fit_client/fit/fork/fork_mesh.h"
 #include "fit_client/fit/panels/mesh_pattern.h"
 #include "fit_client/fit/panels/reconcile.h"
 #include "fit_client/fit/panels/topology.h"

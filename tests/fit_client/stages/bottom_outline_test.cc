@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "fit_client/fit/panels/fork.h"
-#include "fit_client/fit/panels/fork_mesh.h"
+#include "fit_client/fit/fork/fork.h"
+#include "fit_client/fit/fork/fork_mesh.h"
 #include "fit_client/fit/panels/mesh_pattern.h"
 #include "fit_client/fit/panels/reconcile.h"
 #include "tests/fit_client/panels/drawn_kinds.h"

@@ -1,4 +1,4 @@
-#include "fit_client/fit/panels/grade.h"
+#include "fit_client/fit/grading/grade.h"
 
 #include <algorithm>
 #include <cmath>

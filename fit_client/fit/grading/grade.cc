@@ -1,21 +1,21 @@
-#include "fit_client/fit/panels/grade.h"
+#include "fit_client/fit/grading/grade.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 
-#include "fit_client/fit/panels/grade_measures.h"
-#include "fit_client/fit/panels/grade_moves.h"
-#include "fit_client/fit/panels/grade_targets.h"
+#include "fit_client/fit/grading/grade_measures.h"
+#include "fit_client/fit/grading/grade_moves.h"
+#include "fit_client/fit/grading/grade_targets.h"
 #include "fit_client/fit/panels/polyline.h"
 
 namespace fitroom {
 namespace {
 
-using panels::GradeTargets;
-using panels::Increments;
-using panels::MeasureMap;
+using grading::GradeTargets;
+using grading::Increments;
+using grading::MeasureMap;
 
 constexpr int kMostRounds = 30;
 constexpr double kExact = 1e-9;             // (unit: metre)
@@ -39,7 +39,7 @@ double ValueOf(const MeasureMap& measures, const std::string& name) {
 // each round leaves a small part of the error.
 GarmentPattern MeetTargets(const GarmentPattern& photographed, const MeasureMap& measured, const GradeTargets& goal) {
   Increments increments;
-  for (const panels::GradeDriver& driver : goal.drivers) {
+  for (const grading::GradeDriver& driver : goal.drivers) {
     increments[driver.increment] = driver.sign * (goal.targets.at(driver.measure) - ValueOf(measured, driver.measure));
   }
   // A crotch that is driven by the inseam sinks with the hem as well.
@@ -48,10 +48,10 @@ GarmentPattern MeetTargets(const GarmentPattern& photographed, const MeasureMap&
   }
   GarmentPattern graded = photographed;
   for (int round = 0; round < kMostRounds; ++round) {
-    graded = panels::ApplyMoves(photographed, panels::MovesFor(photographed, measured, increments));
-    const MeasureMap now = panels::MeasureByName(graded);
+    graded = grading::ApplyMoves(photographed, grading::MovesFor(photographed, measured, increments));
+    const MeasureMap now = grading::MeasureByName(graded);
     double worst = 0.0;
-    for (const panels::GradeDriver& driver : goal.drivers) {
+    for (const grading::GradeDriver& driver : goal.drivers) {
       const double missing = goal.targets.at(driver.measure) - ValueOf(now, driver.measure);
       if (!std::isfinite(missing)) return graded;
       worst = std::max(worst, std::abs(missing));
@@ -64,7 +64,7 @@ GarmentPattern MeetTargets(const GarmentPattern& photographed, const MeasureMap&
 
 std::vector<GradedMeasure> Account(const GarmentPattern& photographed, const GarmentPattern& graded,
                                    const MeasureMap& measured, const GradeTargets& goal) {
-  const MeasureMap now = panels::MeasureByName(graded);
+  const MeasureMap now = grading::MeasureByName(graded);
   std::vector<GradedMeasure> measures;
   for (const std::string& name : MeasureNames(photographed.kind)) {
     const auto found = measured.find(name);
@@ -75,7 +75,7 @@ std::vector<GradedMeasure> Account(const GarmentPattern& photographed, const Gar
     measure.target = goal.targets.at(name);
     measure.graded = ValueOf(now, name);
     measure.given = std::find(goal.given.begin(), goal.given.end(), name) != goal.given.end();
-    measure.hidden = panels::IsHiddenByFolding(photographed.kind, name);
+    measure.hidden = grading::IsHiddenByFolding(photographed.kind, name);
     measures.push_back(std::move(measure));
   }
   return measures;
@@ -124,8 +124,8 @@ Status CheckPanel(const GarmentSize& to, const PanelPattern& before, const Panel
 
 Result<GradedPattern> GradePatternInDetail(const GarmentPattern& photographed, const GarmentSize& from,
                                            const GarmentSize& to) {
-  const MeasureMap measured = panels::MeasureByName(photographed);
-  FR_ASSIGN_OR_RETURN(const GradeTargets goal, panels::FindGradeTargets(photographed.kind, measured, from, to));
+  const MeasureMap measured = grading::MeasureByName(photographed);
+  FR_ASSIGN_OR_RETURN(const GradeTargets goal, grading::FindGradeTargets(photographed.kind, measured, from, to));
   GradedPattern result;
   result.pattern = MeetTargets(photographed, measured, goal);
   result.measures = Account(photographed, result.pattern, measured, goal);

@@ -1,4 +1,4 @@
-#include "fit_client/fit/panels/fork_evidence.h"
+#include "fit_client/fit/fork/fork_evidence.h"
 
 #include <algorithm>
 #include <array>
@@ -89,7 +89,7 @@ std::vector<std::string> UndecidedByFolding(GarmentKind kind, const ForkEvidence
   return undecided;
 }
 
-namespace panels {
+namespace fork {
 
 ForkExtensions ExtensionsByRule(ForkRule rule, double garment_hip_girth) {
   const double hip = garment_hip_girth - kHipEase;
@@ -120,15 +120,15 @@ Result<SideFold> MeasureSideFold(const GarmentView& view, double outseam_length)
     return InvalidArgument("POINT_MISSING", "side_folded: the outline has fewer than 8 points; photograph it again");
   }
   const auto at = [&](const char* name) { return FindPoint(view, name)->pixel; };
-  const Polyline outseam = SmoothPart(view, at("waist_side"), at("hem_outer"));
-  const double seen = ChainLength(outseam) * view.metre_per_pixel;
+  const panels::Polyline outseam = SmoothPart(view, at("waist_side"), at("hem_outer"));
+  const double seen = panels::ChainLength(outseam) * view.metre_per_pixel;
   if (!(std::abs(seen / outseam_length - 1.0) < kMostScaleError)) {
     return InvalidArgument("SIDE_FOLD_CONTRADICTS_LENGTH",
                            "the side-folded photograph shows an outseam of " + std::to_string(seen * 100.0) +
                                " cm, the others one of " + std::to_string(outseam_length * 100.0) +
                                " cm; check its scale and the points waist_side and hem_outer");
   }
-  const Polyline curve = SmoothPart(view, at("crotch"), at("waist_centre"));
+  const panels::Polyline curve = SmoothPart(view, at("crotch"), at("waist_centre"));
   const Eigen::Vector2d tip = NearestPlace(view.outline, at("crotch")).pixel;
   const double across = AcrossFrom(tip, outseam);
   if (!(across > 0.0)) {
@@ -136,8 +136,8 @@ Result<SideFold> MeasureSideFold(const GarmentView& view, double outseam_length)
                            "side_folded: the outseam does not pass the crotch's height; check the points crotch, "
                            "waist_side and hem_outer");
   }
-  return SideFold{2.0 * across * view.metre_per_pixel, ChainLength(curve) * view.metre_per_pixel};
+  return SideFold{2.0 * across * view.metre_per_pixel, panels::ChainLength(curve) * view.metre_per_pixel};
 }
 
-}  // namespace panels
+}  // namespace fork
 }  // namespace fitroom

@@ -1,4 +1,4 @@
-#include "fit_client/fit/panels/fork.h"
+#include "fit_client/fit/fork/fork.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +10,11 @@
 
 #include <gtest/gtest.h>
 
-#include "fit_client/fit/panels/fork_mesh.h"
-#include "fit_client/fit/panels/grade.h"
+#include "fit_client/fit/fork/fork_mesh.h"
+#include "fit_client/fit/grading/grade.h"
 #include "fit_client/fit/panels/reconcile.h"
 #include "fit_client/fit/panels/topology.h"
-#include "tests/fit_client/panels/drafted_trousers.h"
+#include "tests/fit_client/fork/drafted_trousers.h"
 #include "tests/fit_client/panels/drawn_kinds.h"
 
 // Row S46 of the method: trousers drafted by three rules, folded, photographed and rebuilt. What is rebuilt is measured

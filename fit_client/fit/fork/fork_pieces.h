@@ -1,10 +1,10 @@
 #pragma once
 
-#include "fit_client/fit/panels/fork_curves.h"
-#include "fit_client/fit/panels/fork_half.h"
+#include "fit_client/fit/fork/fork_curves.h"
+#include "fit_client/fit/fork/fork_half.h"
 #include "fit_client/fit/panels/pattern.h"
 
-namespace fitroom::panels {
+namespace fitroom::fork {
 
 // The seams of one piece, laid as the wearer's left.
 struct ForkSeams {
@@ -16,4 +16,4 @@ struct ForkSeams {
 // ForkTexture shows them.
 PanelPattern CutPiece(const PanelPattern& panel, const HalfPanel& half, bool left, const ForkSeams& seams);
 
-}  // namespace fitroom::panels
+}  // namespace fitroom::fork

@@ -1,11 +1,11 @@
-#include "fit_client/fit/panels/fork_curves.h"
+#include "fit_client/fit/fork/fork_curves.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "common/base/check.h"
 
-namespace fitroom::panels {
+namespace fitroom::fork {
 namespace {
 
 constexpr double kCurveStart = 0.475;  // Of the hip's depth, above the crotch.
@@ -47,12 +47,12 @@ CentreFrame FrameOf(const HalfPanel& half) {
   return frame;
 }
 
-Polyline CentreSeam(const CentreFrame& frame, const CentreShape& shape) {
+panels::Polyline CentreSeam(const CentreFrame& frame, const CentreShape& shape) {
   const Eigen::Vector2d top = frame.waist + Eigen::Vector2d(0.0, shape.raise);
   const Eigen::Vector2d start = frame.crotch + Eigen::Vector2d(0.0, frame.curve_height);
   const Eigen::Vector2d tip = frame.crotch - Eigen::Vector2d(shape.extension, shape.drop);
   const int straight = std::max(2, static_cast<int>(std::lround((top - start).norm() / kStep)));
-  Polyline seam;
+  panels::Polyline seam;
   for (int i = 0; i < straight; ++i) {
     const double t = static_cast<double>(i) / straight;
     seam.push_back((1.0 - t) * top + t * start);
@@ -71,7 +71,7 @@ std::optional<CentreShape> ShapeForRise(const CentreFrame& frame, CentreShape sh
     CentreShape tried = shape;
     tried.fullness = fullness;
     tried.raise = 0.0;
-    return ChainLength(CentreSeam(frame, tried));
+    return panels::ChainLength(CentreSeam(frame, tried));
   };
   double low = kLeastFullness, high = kMostFullness;  // A fuller curve is longer.
   for (int i = 0; i < kBisections; ++i) {
@@ -81,14 +81,14 @@ std::optional<CentreShape> ShapeForRise(const CentreFrame& frame, CentreShape sh
   shape.fullness = 0.5 * (low + high);
   shape.raise = 0.0;
   // What fullness cannot do the straight part does.
-  for (int i = 0; i < 4; ++i) shape.raise += rise - ChainLength(CentreSeam(frame, shape));
+  for (int i = 0; i < 4; ++i) shape.raise += rise - panels::ChainLength(CentreSeam(frame, shape));
   if (!(std::abs(shape.raise) <= kMostRaise)) return std::nullopt;
   return shape;
 }
 
 Inseam InseamFor(const HalfPanel& half, double extension, double mean_extension, double drop, double share,
                  bool at_hem) {
-  const Polyline& seen = half.inseam.points;
+  const panels::Polyline& seen = half.inseam.points;
   const size_t last = seen.size() - 1;
   size_t join = last;
   for (const SectionKnot& knot : half.inseam.knots) {
@@ -114,7 +114,7 @@ Inseam InseamFor(const HalfPanel& half, double extension, double mean_extension,
     inseam.points.push_back(seen[i] + Eigen::Vector2d(shift * fade, 0.0));
   }
   inseam.shift = at_hem ? shift : 0.0;
-  inseam.length = ChainLength(inseam.points);
+  inseam.length = panels::ChainLength(inseam.points);
   return inseam;
 }
 
@@ -137,4 +137,4 @@ std::optional<InseamShape> BalanceInseams(const HalfPanel& half, double front_ex
   return std::nullopt;
 }
 
-}  // namespace fitroom::panels
+}  // namespace fitroom::fork

@@ -5,9 +5,9 @@
 
 #include "common/base/status.h"
 #include "common/garment/garment.h"
-#include "fit_client/fit/panels/grade_measures.h"
+#include "fit_client/fit/grading/grade_measures.h"
 
-namespace fitroom::panels {
+namespace fitroom::grading {
 
 // A measure that is brought to its target by an increment of the grade rules (see Increments).
 struct GradeDriver {
@@ -29,4 +29,4 @@ Result<GradeTargets> FindGradeTargets(GarmentKind kind, const MeasureMap& photog
 // Says whether a garment laid flat hides a part of the measure.
 bool IsHiddenByFolding(GarmentKind kind, const std::string& measure);
 
-}  // namespace fitroom::panels
+}  // namespace fitroom::grading

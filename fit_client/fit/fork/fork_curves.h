@@ -4,10 +4,10 @@
 
 #include <Eigen/Core>
 
-#include "fit_client/fit/panels/fork_half.h"
+#include "fit_client/fit/fork/fork_half.h"
 #include "fit_client/fit/panels/polyline.h"
 
-namespace fitroom::panels {
+namespace fitroom::fork {
 
 // Where a centre seam runs, laid as the wearer's left: straight down from the waist's middle, then a cubic out to the
 // fork's tip beyond the centre line.
@@ -35,7 +35,7 @@ struct CentreShape {
 CentreFrame FrameOf(const HalfPanel& half);
 
 // Returns the seam from the waist down to the fork's tip.
-Polyline CentreSeam(const CentreFrame& frame, const CentreShape& shape);
+panels::Polyline CentreSeam(const CentreFrame& frame, const CentreShape& shape);
 
 // Returns the shape with fullness and raise such that the seam has the length `rise`. Fullness is used first, between
 // 0.35 and 0.75; nothing if the waist would have to move by more than 6 cm.
@@ -49,7 +49,7 @@ struct InseamShape {
 
 // An inseam from the fork's tip to the hem, and where the photographed leg begins in it.
 struct Inseam {
-  Polyline points;
+  panels::Polyline points;
   double shift = 0.0;   // Inwards at the hem (unit: metre): shorts only.
   double length = 0.0;  // (unit: metre)
 };
@@ -64,4 +64,4 @@ Inseam InseamFor(const HalfPanel& half, double extension, double mean_extension,
 std::optional<InseamShape> BalanceInseams(const HalfPanel& half, double front_extension, double back_extension,
                                           bool at_hem);
 
-}  // namespace fitroom::panels
+}  // namespace fitroom::fork

@@ -1,4 +1,4 @@
-#include "fit_client/fit/panels/fork_mesh.h"
+#include "fit_client/fit/fork/fork_mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "fit_client/fit/fork/fork_half.h"
 #include "fit_client/fit/panels/append_panel.h"
-#include "fit_client/fit/panels/fork_half.h"
 #include "fit_client/fit/panels/outline_samples.h"
 
 namespace fitroom {
@@ -71,7 +71,7 @@ Result<ClothMesh> MeshFork(const ForkedPattern& forked, double pitch) {
     const PanelPattern& piece = forked.pieces[p];
     const bool left = p % 2 == 0;
     const PanelPattern& photographed = p < 2 ? forked.photographed.front : forked.photographed.back;
-    const panels::ForkTexture texture(photographed, panels::TakeHalf(photographed, left), left);
+    const fork::ForkTexture texture(photographed, fork::TakeHalf(photographed, left), left);
     const double sign = left ? 1.0 : -1.0;
     const auto pixel_at = [&](const Eigen::Vector2d& point) { return texture.PixelAt({sign * point.x(), point.y()}); };
     samples[p] = panels::SampleOutlineAt(piece, shares[p]);

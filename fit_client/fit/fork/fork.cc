@@ -1,24 +1,24 @@
-#include "fit_client/fit/panels/fork.h"
+#include "fit_client/fit/fork/fork.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <utility>
 
-#include "fit_client/fit/panels/fork_curves.h"
-#include "fit_client/fit/panels/fork_evidence.h"
-#include "fit_client/fit/panels/fork_half.h"
-#include "fit_client/fit/panels/fork_pieces.h"
+#include "fit_client/fit/fork/fork_curves.h"
+#include "fit_client/fit/fork/fork_evidence.h"
+#include "fit_client/fit/fork/fork_half.h"
+#include "fit_client/fit/fork/fork_pieces.h"
 #include "fit_client/fit/panels/measure.h"
 #include "fit_client/fit/panels/polyline.h"
 
 namespace fitroom {
 namespace {
 
-using panels::CentreShape;
-using panels::ForkExtensions;
-using panels::HalfPanel;
-using panels::InseamShape;
+using fork::CentreShape;
+using fork::ForkExtensions;
+using fork::HalfPanel;
+using fork::InseamShape;
 
 // What nobody has (unit: metre).
 constexpr double kLeastRise = 0.10, kMostRise = 0.60;
@@ -67,7 +67,7 @@ struct ForkSolution {
 
 double LegWidth(const HalfPanel& half) {
   const Eigen::Vector2d& crotch = half.inseam.points.front();
-  return panels::AcrossAt(half.outseam.points, crotch.y()) - crotch.x();
+  return fork::AcrossAt(half.outseam.points, crotch.y()) - crotch.x();
 }
 
 Status CheckEvidence(const ForkEvidence& evidence) {
@@ -95,7 +95,7 @@ Result<ForkProblem> StateProblem(const GarmentPattern& pattern, const Panels& ha
   if (evidence.side_folded) {
     const double outseam = 0.5 * (panels::ChainLength(halves.front_left.outseam.points) +
                                   panels::ChainLength(halves.front_right.outseam.points));
-    FR_ASSIGN_OR_RETURN(const panels::SideFold fold, panels::MeasureSideFold(*evidence.side_folded, outseam));
+    FR_ASSIGN_OR_RETURN(const fork::SideFold fold, fork::MeasureSideFold(*evidence.side_folded, outseam));
     problem.thigh_girth = {fold.thigh_girth, Provenance::kMeasured};
     // Both curves lie on each other; of both waists the back's, cut higher, is seen. One that looks lower only lies so.
     const double step =
@@ -123,7 +123,7 @@ double Natural(const HalfPanel& half, double extension, double drop) {
   CentreShape shape;
   shape.extension = extension;
   shape.drop = drop;
-  return panels::ChainLength(panels::CentreSeam(panels::FrameOf(half), shape));
+  return panels::ChainLength(fork::CentreSeam(fork::FrameOf(half), shape));
 }
 
 // The back's extension at which its curve has the stated rise without being bent for it; longer with the extension.
@@ -138,7 +138,7 @@ double ExtensionForRise(const HalfPanel& half, double rise, double low, double h
 void SolveExtensions(const ForkProblem& problem, const Panels& halves, ForkSolution& solution) {
   const double low = kLeastExtension * problem.hip_girth, high = kMostExtension * problem.hip_girth;
   ForkExtensions& e = solution.extensions;
-  e = panels::ExtensionsByRule(problem.rule.value_or(ForkRule::kAldrich), problem.hip_girth);
+  e = fork::ExtensionsByRule(problem.rule.value_or(ForkRule::kAldrich), problem.hip_girth);
   if (problem.thigh_girth.value) {
     const double total = *problem.thigh_girth.value - 2.0 * problem.leg_width;
     e.back = std::clamp(total - e.front, low, high);
@@ -156,9 +156,9 @@ Result<CentreShape> SolveCentre(const HalfPanel& half, double extension, double 
   shape.extension = extension;
   shape.drop = drop;
   if (!rise) return shape;
-  const panels::CentreFrame frame = panels::FrameOf(half);
-  const std::optional<CentreShape> solved = panels::ShapeForRise(frame, shape, *rise);
-  if (solved && std::abs(panels::ChainLength(panels::CentreSeam(frame, *solved)) - *rise) <= kRiseTolerance) {
+  const fork::CentreFrame frame = fork::FrameOf(half);
+  const std::optional<CentreShape> solved = fork::ShapeForRise(frame, shape, *rise);
+  if (solved && std::abs(panels::ChainLength(fork::CentreSeam(frame, *solved)) - *rise) <= kRiseTolerance) {
     return *solved;
   }
   return Invalid("RISE_CONTRADICTS_PHOTOGRAPH",
@@ -174,7 +174,7 @@ Result<ForkSolution> Solve(const ForkProblem& problem, const Panels& halves) {
   // The back's tip lies lower, where the leg is a little wider or narrower than at the crotch.
   for (int round = 0; round < kThighRounds; ++round) {
     const std::optional<InseamShape> inseam =
-        panels::BalanceInseams(halves.front_left, solution.extensions.front, solution.extensions.back, problem.at_hem);
+        fork::BalanceInseams(halves.front_left, solution.extensions.front, solution.extensions.back, problem.at_hem);
     if (!inseam) {
       return Invalid("FORK_NOT_A_GARMENT", "front and back inseam cannot have one length with extensions of " +
                                                Centimetres(solution.extensions.front) + " and " +
@@ -184,7 +184,7 @@ Result<ForkSolution> Solve(const ForkProblem& problem, const Panels& halves) {
     solution.inseam = *inseam;
     if (!problem.thigh_girth.value || solution.clamped) break;
     const Eigen::Vector2d& crotch = halves.back_left.inseam.points.front();
-    const double lower = panels::AcrossAt(halves.back_left.outseam.points, crotch.y() - inseam->back_drop) - crotch.x();
+    const double lower = fork::AcrossAt(halves.back_left.outseam.points, crotch.y() - inseam->back_drop) - crotch.x();
     solution.extensions.back = wanted.back - (lower - LegWidth(halves.back_left));
   }
   const ForkExtensions& e = solution.extensions;
@@ -205,10 +205,10 @@ void CutPieces(const ForkProblem& problem, const ForkSolution& solution, const P
   const ForkExtensions& e = solution.extensions;
   const double mean = 0.5 * (e.front + e.back);
   const auto cut = [&](const PanelPattern& panel, const HalfPanel& half, bool left, bool front) {
-    const panels::Inseam inseam =
-        panels::InseamFor(half, front ? e.front : e.back, mean, front ? 0.0 : solution.inseam.back_drop,
-                          solution.inseam.share, problem.at_hem);
-    forked.pieces.push_back(panels::CutPiece(panel, half, left, {front ? solution.front : solution.back, inseam}));
+    const fork::Inseam inseam =
+        fork::InseamFor(half, front ? e.front : e.back, mean, front ? 0.0 : solution.inseam.back_drop,
+                        solution.inseam.share, problem.at_hem);
+    forked.pieces.push_back(fork::CutPiece(panel, half, left, {front ? solution.front : solution.back, inseam}));
   };
   cut(forked.photographed.front, halves.front_left, true, true);
   cut(forked.photographed.front, halves.front_right, false, true);
@@ -225,7 +225,7 @@ void TakeMeasures(const ForkProblem& problem, const ForkSolution& solution, cons
   const ForkExtensions& e = solution.extensions;
   const Eigen::Vector2d& crotch = halves.back_left.inseam.points.front();
   const double back_leg =
-      panels::AcrossAt(halves.back_left.outseam.points, crotch.y() - solution.inseam.back_drop) - crotch.x();
+      fork::AcrossAt(halves.back_left.outseam.points, crotch.y() - solution.inseam.back_drop) - crotch.x();
   const double thigh_girth = LegWidth(halves.front_left) + back_leg + e.front + e.back;
   const double front = length(0), back = length(2);
   const Provenance thigh = solution.clamped ? Provenance::kRuled : or_ruled(problem.thigh_girth);
@@ -282,8 +282,8 @@ Result<ForkedPattern> BuildFork(const GarmentPattern& pattern, const ForkEvidenc
   if (!HasLegs(pattern.kind)) {
     return Invalid("KIND_WITHOUT_FORK", "a " + std::string(GarmentKindName(pattern.kind)) + " has no fork");
   }
-  const Panels halves{panels::TakeHalf(pattern.front, true), panels::TakeHalf(pattern.front, false),
-                      panels::TakeHalf(pattern.back, true), panels::TakeHalf(pattern.back, false)};
+  const Panels halves{fork::TakeHalf(pattern.front, true), fork::TakeHalf(pattern.front, false),
+                      fork::TakeHalf(pattern.back, true), fork::TakeHalf(pattern.back, false)};
   FR_ASSIGN_OR_RETURN(const ForkProblem problem, StateProblem(pattern, halves, evidence));
   FR_ASSIGN_OR_RETURN(const ForkSolution solution, Solve(problem, halves));
   ForkedPattern forked;

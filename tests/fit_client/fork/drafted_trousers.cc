@@ -1,4 +1,4 @@
-#include "tests/fit_client/panels/drafted_trousers.h"
+#include "tests/fit_client/fork/drafted_trousers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "common/image/encode.h"
-#include "fit_client/fit/panels/fork.h"
-#include "fit_client/fit/panels/fork_mesh.h"
+#include "fit_client/fit/fork/fork.h"
+#include "fit_client/fit/fork/fork_mesh.h"
 #include "fit_client/fit/panels/measure.h"
 #include "fit_client/fit/panels/reconcile.h"
 #include "fit_client/fit/panels/topology.h"

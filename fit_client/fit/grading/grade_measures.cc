@@ -1,10 +1,10 @@
-#include "fit_client/fit/panels/grade_measures.h"
+#include "fit_client/fit/grading/grade_measures.h"
 
 #include <cmath>
 
 #include "fit_client/fit/panels/measure.h"
 
-namespace fitroom::panels {
+namespace fitroom::grading {
 
 MeasureMap MeasureByName(const GarmentPattern& pattern) {
   MeasureMap measures;
@@ -14,4 +14,4 @@ MeasureMap MeasureByName(const GarmentPattern& pattern) {
   return measures;
 }
 
-}  // namespace fitroom::panels
+}  // namespace fitroom::grading

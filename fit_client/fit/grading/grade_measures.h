@@ -5,7 +5,7 @@
 
 #include "fit_client/fit/panels/pattern.h"
 
-namespace fitroom::panels {
+namespace fitroom::grading {
 
 // Measures by the names of size charts (MeasureNames()), flat (unit: metre).
 using MeasureMap = std::map<std::string, double>;
@@ -13,4 +13,4 @@ using MeasureMap = std::map<std::string, double>;
 // Returns MeasurePattern()'s measures by name, without those that the pattern does not have.
 MeasureMap MeasureByName(const GarmentPattern& pattern);
 
-}  // namespace fitroom::panels
+}  // namespace fitroom::grading

@@ -1,11 +1,11 @@
-#include "fit_client/fit/panels/grade_targets.h"
+#include "fit_client/fit/grading/grade_targets.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iterator>
 
-namespace fitroom::panels {
+namespace fitroom::grading {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -174,4 +174,4 @@ Result<GradeTargets> FindGradeTargets(GarmentKind kind, const MeasureMap& photog
   return result;
 }
 
-}  // namespace fitroom::panels
+}  // namespace fitroom::grading

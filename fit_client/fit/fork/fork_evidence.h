@@ -2,9 +2,9 @@
 
 #include "common/base/status.h"
 #include "common/garment/garment.h"
-#include "fit_client/fit/panels/fork.h"
+#include "fit_client/fit/fork/fork.h"
 
-namespace fitroom::panels {
+namespace fitroom::fork {
 
 // How far front and back reach beyond the centre line (unit: metre).
 struct ForkExtensions {
@@ -25,4 +25,4 @@ struct SideFold {
 // INVALID_ARGUMENT: POINT_MISSING, SIDE_FOLD_CONTRADICTS_LENGTH (the outseam disagrees by more than 15 %).
 Result<SideFold> MeasureSideFold(const GarmentView& view, double outseam_length);
 
-}  // namespace fitroom::panels
+}  // namespace fitroom::fork

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit_client/fit/panels/grade_moves.h"
+#include "fit_client/fit/grading/grade_moves.h"
 #include "fit_client/fit/panels/polyline.h"
 #include "fit_client/fit/panels/view_samples.h"
 
-namespace fitroom::panels {
+namespace fitroom::grading {
 namespace {
 
 // A moved point of a section: the number of its sample and its displacement.
@@ -48,7 +48,7 @@ std::vector<double> Slopes(const std::vector<Node>& nodes, int axis) {
   return slopes;
 }
 
-void MoveSection(const std::vector<Node>& nodes, Polyline& points) {
+void MoveSection(const std::vector<Node>& nodes, panels::Polyline& points) {
   if (nodes.empty()) return;
   if (nodes.size() == 1) {
     for (Eigen::Vector2d& p : points) p += nodes[0].move;
@@ -83,7 +83,7 @@ std::vector<int> ExactTwins(const PanelPattern& panel) {
   for (size_t s = 0; s < panel.sections.size(); ++s) {
     const std::string name = TwinSection(panel.sections[s].name);
     for (size_t t = 0; t < panel.sections.size(); ++t) {
-      if (panel.sections[t].name == name && Mirrored(panel.sections[t].points) == panel.sections[s].points) {
+      if (panel.sections[t].name == name && panels::Mirrored(panel.sections[t].points) == panel.sections[s].points) {
         twins[s] = static_cast<int>(t);
       }
     }
@@ -97,8 +97,8 @@ void MovePanel(const GradeMoves& moves, const std::map<std::string, Eigen::Vecto
   for (size_t s = 0; s < panel.sections.size(); ++s) {
     if (twins[s] < 0) continue;
     const size_t twin = static_cast<size_t>(twins[s]);
-    Polyline& points = panel.sections[s].points;
-    const Polyline mirrored = Mirrored(panel.sections[twin].points);
+    panels::Polyline& points = panel.sections[s].points;
+    const panels::Polyline mirrored = panels::Mirrored(panel.sections[twin].points);
     if (twin < s) points = mirrored;
     if (twin != s) continue;
     for (size_t i = 0; i < points.size(); ++i) points[i] = 0.5 * (points[i] + mirrored[i]);
@@ -114,4 +114,4 @@ GarmentPattern ApplyMoves(const GarmentPattern& pattern, const GradeMoves& moves
   return moved;
 }
 
-}  // namespace fitroom::panels
+}  // namespace fitroom::grading

@@ -6,7 +6,7 @@
 #include "fit_client/fit/panels/photo_warp.h"
 #include "fit_client/fit/panels/polyline.h"
 
-namespace fitroom::panels {
+namespace fitroom::fork {
 
 // One side of a panel of trousers, laid as the wearer's left one whichever it is: x outwards, the outline
 // counter-clockwise. Names and pixels are its own.
@@ -24,7 +24,7 @@ HalfPanel TakeHalf(const PanelPattern& panel, bool left);
 PanelPattern PieceOf(const PanelPattern& panel, bool left, std::vector<OutlineSection> sections);
 
 // Returns the x of a chain that runs up or down at a height; beyond its ends that of the end.
-double AcrossAt(const Polyline& chain, double height);
+double AcrossAt(const panels::Polyline& chain, double height);
 
 // The photograph on a piece that reaches beyond the panel it shows: there the leg's own picture is mirrored at its
 // inner edge (the centre line above the crotch, the photographed inseam below) and, where a waist was raised, at that,
@@ -38,8 +38,8 @@ class ForkTexture {
 
  private:
   PhotoWarp warp_;
-  Polyline waist_, inseam_, outseam_;
+  panels::Polyline waist_, inseam_, outseam_;
   double sign_;
 };
 
-}  // namespace fitroom::panels
+}  // namespace fitroom::fork

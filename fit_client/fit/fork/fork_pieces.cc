@@ -1,10 +1,10 @@
-#include "fit_client/fit/panels/fork_pieces.h"
+#include "fit_client/fit/fork/fork_pieces.h"
 
 #include <cmath>
 #include <string>
 #include <utility>
 
-namespace fitroom::panels {
+namespace fitroom::fork {
 namespace {
 
 // Raises the waist towards the middle, not at all at the side, and without a corner at either.
@@ -21,8 +21,8 @@ OutlineSection RaisedWaist(const OutlineSection& waist, double raise, const Eige
 
 // A seam that the photograph does not show, with the knots of the one in whose place it comes, each at the nearest
 // height.
-OutlineSection NewSeam(std::string name, const Polyline& points, const std::vector<SectionKnot>& knots,
-                       const Polyline& knot_points, const ForkTexture& texture) {
+OutlineSection NewSeam(std::string name, const panels::Polyline& points, const std::vector<SectionKnot>& knots,
+                       const panels::Polyline& knot_points, const ForkTexture& texture) {
   OutlineSection seam{std::move(name), SectionKind::kSeam, points, {}, {}};
   for (const Eigen::Vector2d& p : points) seam.pixels.push_back(texture.PixelAt(p));
   for (const SectionKnot& knot : knots) {
@@ -43,7 +43,7 @@ OutlineSection NewSeam(std::string name, const Polyline& points, const std::vect
 OutlineSection ShiftedHem(const OutlineSection& hem, double shift) {
   OutlineSection shifted = hem;
   if (shift == 0.0) return shifted;
-  const std::vector<double> arcs = CumulativeLengths(hem.points);
+  const std::vector<double> arcs = panels::CumulativeLengths(hem.points);
   for (size_t i = 0; i < hem.points.size(); ++i) shifted.points[i].x() += shift * (1.0 - arcs[i] / arcs.back());
   return shifted;
 }
@@ -52,10 +52,10 @@ OutlineSection ShiftedHem(const OutlineSection& hem, double shift) {
 
 PanelPattern CutPiece(const PanelPattern& panel, const HalfPanel& half, bool left, const ForkSeams& seams) {
   const ForkTexture texture(panel, half, left);
-  const Polyline centre = CentreSeam(FrameOf(half), seams.centre);
+  const panels::Polyline centre = CentreSeam(FrameOf(half), seams.centre);
   OutlineSection waist = RaisedWaist(half.waist, seams.centre.raise, centre.front());
   OutlineSection hem = ShiftedHem(half.leg_hem, seams.inseam.shift);
-  Polyline inseam = seams.inseam.points;
+  panels::Polyline inseam = seams.inseam.points;
   inseam.front() = centre.back();
   inseam.back() = hem.points.front();
   const std::vector<SectionKnot> ends = {{"waist_centre", 0}, {"crotch", static_cast<int>(centre.size()) - 1}};
@@ -65,4 +65,4 @@ PanelPattern CutPiece(const PanelPattern& panel, const HalfPanel& half, bool lef
                  {std::move(waist), std::move(centre_seam), std::move(inner_seam), std::move(hem), half.outseam});
 }
 
-}  // namespace fitroom::panels
+}  // namespace fitroom::fork

@@ -1,4 +1,4 @@
-#include "fit_client/fit/panels/grade_moves.h"
+#include "fit_client/fit/grading/grade_moves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "common/base/check.h"
 
-namespace fitroom::panels {
+namespace fitroom::grading {
 namespace {
 
 // A shoulder seam shorter than this has no slope to keep (unit: metre).
@@ -238,4 +238,4 @@ GradeMoves MovesFor(const GarmentPattern& pattern, const MeasureMap& measures, c
   return TrouserMoves(pattern, increments);
 }
 
-}  // namespace fitroom::panels
+}  // namespace fitroom::grading

@@ -5,10 +5,10 @@
 
 #include <Eigen/Core>
 
-#include "fit_client/fit/panels/grade_measures.h"
+#include "fit_client/fit/grading/grade_measures.h"
 #include "fit_client/fit/panels/pattern.h"
 
-namespace fitroom::panels {
+namespace fitroom::grading {
 
 // How far the cardinal points of a pattern move when it is graded (unit: metre). Points that are not named follow their
 // neighbours along the outline.
@@ -31,4 +31,4 @@ GradeMoves MovesFor(const GarmentPattern& pattern, const MeasureMap& measures, c
 // what mirrors itself goes on doing so.
 GarmentPattern ApplyMoves(const GarmentPattern& pattern, const GradeMoves& moves);
 
-}  // namespace fitroom::panels
+}  // namespace fitroom::grading

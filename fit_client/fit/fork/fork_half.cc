@@ -1,4 +1,4 @@
-#include "fit_client/fit/panels/fork_half.h"
+#include "fit_client/fit/fork/fork_half.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include "common/base/check.h"
 #include "fit_client/fit/panels/view_samples.h"
 
-namespace fitroom::panels {
+namespace fitroom::fork {
 namespace {
 
 // A mirrored picture reaches at most this far across the leg (share of its width).
@@ -21,7 +21,7 @@ const OutlineSection& SectionOf(const PanelPattern& panel, const std::string& na
 // The section seen in a mirror at x = 0, running the other way round.
 OutlineSection TurnedOver(const OutlineSection& section) {
   OutlineSection turned = section;
-  turned.points = Mirrored(section.points);
+  turned.points = panels::Mirrored(section.points);
   std::reverse(turned.pixels.begin(), turned.pixels.end());
   std::reverse(turned.knots.begin(), turned.knots.end());
   for (SectionKnot& knot : turned.knots) knot.index = static_cast<int>(section.points.size()) - 1 - knot.index;
@@ -63,14 +63,14 @@ PanelPattern PieceOf(const PanelPattern& panel, bool left, std::vector<OutlineSe
   return piece;
 }
 
-double AcrossAt(const Polyline& chain, double height) {
+double AcrossAt(const panels::Polyline& chain, double height) {
   const bool down = chain.front().y() > chain.back().y();
   std::vector<double> fall;
   for (const Eigen::Vector2d& p : chain) {
     const double along = down ? -p.y() : p.y();
     fall.push_back(fall.empty() ? along : std::max(along, fall.back()));
   }
-  return InterpolateChain(chain, fall, down ? -height : height).x();
+  return panels::InterpolateChain(chain, fall, down ? -height : height).x();
 }
 
 ForkTexture::ForkTexture(const PanelPattern& panel, const HalfPanel& half, bool left)
@@ -84,7 +84,7 @@ Eigen::Vector2d ForkTexture::PixelAt(const Eigen::Vector2d& point) const {
   Eigen::Vector2d shown = point;
   std::vector<double> across;  // From e1 inwards.
   for (const Eigen::Vector2d& p : waist_) across.push_back(across.empty() ? -p.x() : std::max(-p.x(), across.back()));
-  const double top = InterpolateChain(waist_, across, -std::max(point.x(), waist_.back().x())).y();
+  const double top = panels::InterpolateChain(waist_, across, -std::max(point.x(), waist_.back().x())).y();
   shown.y() = std::max(std::min(shown.y(), 2.0 * top - shown.y()), inseam_.back().y());
   const double inner = AcrossAt(inseam_, shown.y());
   if (shown.x() < inner) {
@@ -94,4 +94,4 @@ Eigen::Vector2d ForkTexture::PixelAt(const Eigen::Vector2d& point) const {
   return warp_.PixelAt({sign_ * shown.x(), shown.y()});
 }
 
-}  // namespace fitroom::panels
+}  // namespace fitroom::fork

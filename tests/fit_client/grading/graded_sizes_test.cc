@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "fit_client/fit/panels/fork.h"
-#include "fit_client/fit/panels/grade.h"
+#include "fit_client/fit/fork/fork.h"
+#include "fit_client/fit/grading/grade.h"
 #include "fit_client/fit/panels/measure.h"
 #include "fit_client/fit/panels/mesh_pattern.h"
 #include "fit_client/fit/panels/reconcile.h"

@@ -2,7 +2,7 @@
 
 #include "common/base/status.h"
 #include "fit_client/fit/cloth_mesh.h"
-#include "fit_client/fit/panels/fork.h"
+#include "fit_client/fit/fork/fork.h"
 
 namespace fitroom {
 
