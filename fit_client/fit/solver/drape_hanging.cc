@@ -1,6 +1,7 @@
 #include "fit_client/fit/solver/drape_hanging.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "fit_client/fit/solver/drape_measures.h"
@@ -97,6 +98,7 @@ class HangingGarment {
   bool ChainsHaveTheirLength();
   Status ComeToRest();
   void LiftOut();
+  Eigen::Vector3d WayOut(const Eigen::Vector3d& place, double least) const;
   void Conclude();
   // Says whether the cloth is at rest, from how far particles went in a sixtieth of a second; fills the report.
   bool IsAtRest(const std::vector<Eigen::Vector3d>& before, const std::vector<Eigen::Vector3d>& after, double seconds);
@@ -328,24 +330,48 @@ Status HangingGarment::ComeToRest() {
   return Status();
 }
 
-// Puts the few particles that a crease of the body holds on its surface or just below it a little outside.
+// Puts what a crease of the body or of a layer holds on its surface or just below it a little outside: particles, and
+// the edge middles and triangle centres between particles that are outside themselves, as where an edge lies across a
+// ridge. Those move their corners; a corner goes the longest of the ways that are asked of it.
 void HangingGarment::LiftOut() {
-  constexpr double kLeast = 2e-4;  // Signed distance that every particle is to have (unit: metre).
-  constexpr int kSteps = 4;
+  constexpr double kLeast = 2e-4;  // Signed distance that everything is to have (unit: metre).
+  constexpr int kRounds = 6;
   std::vector<Eigen::Vector3d> places = run_.ParticlePositions(model_);
-  for (Eigen::Vector3d& place : places) {
-    for (int step = 0; step < kSteps; ++step) {
-      const SignedDistanceField::Sample sample = run_.body.Query(place);
-      if (sample.distance > 0.5 * run_.body.pitch()) break;
-      const double distance = run_.body.ExactDistance(place);
-      const double length = sample.gradient.norm();
-      if (distance >= kLeast || length < 0.1) break;
-      place += sample.gradient / length * (2.0 * kLeast - distance);
-    }
+  std::vector<Eigen::Vector3d> ways(places.size());
+  for (int round = 0; round < kRounds; ++round) {
+    std::fill(ways.begin(), ways.end(), Eigen::Vector3d::Zero());
+    bool is_clear = true;
+    const auto lift = [&](const auto& corners) {
+      Eigen::Vector3d sample = Eigen::Vector3d::Zero();
+      for (const int corner : corners) sample += places[static_cast<size_t>(corner)];
+      sample /= static_cast<double>(corners.size());
+      const Eigen::Vector3d way = WayOut(sample, kLeast);
+      if (way.isZero()) return;
+      is_clear = false;
+      for (const int corner : corners) {
+        Eigen::Vector3d& longest = ways[static_cast<size_t>(corner)];
+        if (way.squaredNorm() > longest.squaredNorm()) longest = way;
+      }
+    };
+    for (int particle = 0; particle < model_.particle_count(); ++particle) lift(std::array<int, 1>{particle});
+    for (const auto& edge : model_.edges()) lift(edge);
+    for (const auto& triangle : model_.triangles()) lift(triangle);
+    if (is_clear) break;
+    for (size_t particle = 0; particle < places.size(); ++particle) places[particle] += ways[particle];
   }
   for (size_t vertex = 0; vertex < run_.positions.size(); ++vertex) {
     run_.positions[vertex] = places[static_cast<size_t>(model_.particle_of_vertex()[vertex])];
   }
+}
+
+// The way from a place that is closer to the body than `least` to one that is not; zero where there is none to go.
+Eigen::Vector3d HangingGarment::WayOut(const Eigen::Vector3d& place, double least) const {
+  if (run_.body.Distance(place) > 0.5 * run_.body.pitch()) return Eigen::Vector3d::Zero();
+  const double distance = run_.body.ExactDistance(place);
+  if (distance >= least) return Eigen::Vector3d::Zero();
+  const Eigen::Vector3d gradient = run_.body.Query(place).gradient;
+  if (gradient.norm() < 0.1) return Eigen::Vector3d::Zero();
+  return gradient.normalized() * (2.0 * least - distance);
 }
 
 void HangingGarment::Conclude() {

@@ -136,13 +136,6 @@ double FrontShare(double front, double back) {
   return front + back > 0.0 ? std::clamp(front / (front + back), 0.2, 0.8) : 0.5;
 }
 
-// A tape of the garment's girth, or close round the body where the garment is narrower.
-TapeCurve MakeTape(const std::vector<Vector2d>& points, double garment_girth, double clearance) {
-  const double body_girth = TapeLength(points);
-  const double offset = std::max(clearance, (garment_girth - body_girth) / (2.0 * std::numbers::pi));
-  return TapeCurve(points, offset);
-}
-
 class BottomPlacement {
  public:
   BottomPlacement(const ClothMesh& cloth, const BottomOutline& outline, const LowerBody& body,
@@ -357,7 +350,7 @@ class BottomPlacement {
       const LowerBody::Level& level = body_.At(y);
       const GarmentLevels::Widths widths = levels.At(rest_y);
       Tubes tubes;
-      tubes.trunk = MakeTape(level.trunk, Total(widths, 0) + Total(widths, 1), options_.clearance);
+      tubes.trunk = TapeCurve::AsWideAs(Total(widths, 0) + Total(widths, 1), level.trunk, options_.clearance);
       tubes.front_share = FrontShare(widths[0][0] + widths[1][0], widths[0][1] + widths[1][1]);
       if (!tubes.trunk.is_empty()) tubes.trunk.StartTowards({groin.x(), tubes.trunk.middle().y()}, {0.0, 1.0});
       if (outline_.has_legs()) {
@@ -374,7 +367,7 @@ class BottomPlacement {
     for (const size_t side : {0, 1}) {
       const std::vector<Vector2d>& points = leg_level.leg[side].empty() ? level.leg[side] : leg_level.leg[side];
       TapeCurve& tape = tubes.leg[side];
-      tape = MakeTape(points, Total(widths, side), options_.clearance);
+      tape = TapeCurve::AsWideAs(Total(widths, side), points, options_.clearance);
       tubes.leg_front_share[side] = FrontShare(widths[side][0], widths[side][1]);
       if (!tape.is_empty()) tape.StartTowards(tape.middle(), {side == 0 ? -1.0 : 1.0, 0.0});
     }

@@ -1,6 +1,7 @@
 #include "fit_client/fit/stages/start_pose.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -12,6 +13,7 @@
 #include "fit_client/fit/stages/frontal_map.h"
 #include "fit_client/fit/stages/harmonic_extension.h"
 #include "fit_client/fit/stages/panel_outline.h"
+#include "fit_client/fit/stages/sleeve_tube.h"
 
 namespace fitroom {
 namespace {
@@ -150,6 +152,13 @@ class HalfPlacement {
     }
   }
 
+  // Adds the sleeve's seams on this panel, from the shoulder tip and from the underarm.
+  void AddSleeveSeams(size_t panel, SleeveSeams& seams) const {
+    if (under_.empty()) return;
+    seams.top[panel].assign(top_.begin() + static_cast<std::ptrdiff_t>(shoulder_.size()) - 1, top_.end());
+    seams.under[panel] = under_;
+  }
+
   // Returns how far the torso's tube stands off its middle depth at (u, y): a half ellipse, fading out above the
   // underarm, where the body's own depth takes over.
   double Bulge(double u, double y, double neck_y) const {
@@ -268,8 +277,8 @@ Result<StartPose> PlaceTop(const ClothMesh& cloth, GarmentKind kind, const Body&
   FR_ASSIGN_OR_RETURN(const DressingGuides left_guides, FindDressingGuides(body, map, +1, options.clearance));
   FR_ASSIGN_OR_RETURN(const DressingGuides right_guides, FindDressingGuides(body, map, -1, options.clearance));
   StartPose pose;
-  pose.apart.resize(cloth.rest_positions.size());
   pose.around.resize(cloth.rest_positions.size());
+  std::array<SleeveSeams, 2> sleeves;
   for (const int panel : {0, 1}) {
     FR_ASSIGN_OR_RETURN(const PanelOutline outline, PanelOutline::Trace(cloth, panel));
     HalfPlacement left(cloth, body, map, left_guides, +1, options);
@@ -280,6 +289,8 @@ Result<StartPose> PlaceTop(const ClothMesh& cloth, GarmentKind kind, const Body&
       half->ShapeTube();
       half->AddAnchors(anchors);
     }
+    left.AddSleeveSeams(static_cast<size_t>(panel), sleeves[0]);
+    right.AddSleeveSeams(static_cast<size_t>(panel), sleeves[1]);
     FR_ASSIGN_OR_RETURN(const std::vector<Vector3d> places, PlacesBetween(cloth, panel, anchors));
     std::vector<bool> sewn(cloth.rest_positions.size(), false);
     for (const Anchor& anchor : anchors) sewn[static_cast<size_t>(anchor.particle)] = true;
@@ -290,16 +301,19 @@ Result<StartPose> PlaceTop(const ClothMesh& cloth, GarmentKind kind, const Body&
       const Vector3d& place = places[i];
       const HalfPlacement& half = place.x() >= 0.0 ? left : right;
       pose.around[i] = place;
-      pose.apart[i] = place + Vector3d(0.0, 0.0, outward * options.apart);
       if (sewn[i]) continue;  // Both panels' seams lie on one line, outside of the body's outline.
       double stand_off = half.Bulge(std::abs(place.x()), place.y(), neck_y);
       const std::optional<double> surface = panel == 0 ? map.FrontDepth(place.x(), place.y(), options.clearance)
                                                        : map.BackDepth(place.x(), place.y(), options.clearance);
       if (surface) stand_off = std::max(stand_off, outward * (*surface - place.z()) + options.clearance);
-      const Vector3d outwards(0.0, 0.0, outward * std::max(stand_off, 0.0));
-      pose.around[i] += outwards;
-      pose.apart[i] += outwards;
+      pose.around[i].z() += outward * std::max(stand_off, 0.0);
     }
+  }
+  LaySleeveRoundArm(cloth, sleeves[0], +1, body.arm_left, collider, options.clearance, pose.around);
+  LaySleeveRoundArm(cloth, sleeves[1], -1, body.arm_right, collider, options.clearance, pose.around);
+  for (size_t i = 0; i < pose.around.size(); ++i) {
+    const double outward = cloth.panel_of_particle[i] == 0 ? 1.0 : -1.0;
+    pose.apart.emplace_back(pose.around[i] + Vector3d(0.0, 0.0, outward * options.apart));
   }
   return pose;
 }

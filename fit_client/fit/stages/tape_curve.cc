@@ -44,6 +44,11 @@ TapeCurve::TapeCurve(std::span<const Vector2d> points, double offset) {
   middle_ = bounds.center();
 }
 
+TapeCurve TapeCurve::AsWideAs(double girth, std::span<const Vector2d> points, double clearance) {
+  const double offset = std::max(clearance, (girth - TapeLength(points)) / (2.0 * std::numbers::pi));
+  return TapeCurve(points, offset);
+}
+
 Vector2d TapeCurve::At(double distance) const {
   const double whole = length();
   double place = std::fmod(start_ + distance, whole);

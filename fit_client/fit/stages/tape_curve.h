@@ -16,6 +16,9 @@ class TapeCurve {
   // Lays the tape round `points`, at least three that are not on one line (else is_empty()); offset >= 0.
   TapeCurve(std::span<const Eigen::Vector2d> points, double offset);
 
+  // Lays a tape of a garment's girth round `points`, `clearance` away where the garment is narrower (unit: metre).
+  static TapeCurve AsWideAs(double girth, std::span<const Eigen::Vector2d> points, double clearance);
+
   bool is_empty() const { return points_.empty(); }
   // Returns the tape's length: the hull's perimeter plus 2 pi offset.
   double length() const { return points_.empty() ? 0.0 : distances_.back(); }

@@ -82,8 +82,8 @@ TEST(WornKinds, EveryKindIsWornOutsideTheBodyAndAtRest) {
   FR_REQUIRE_TEST_DATA();
   const Wearer wearer("p001");
   ThreadPool executor(2);
-  for (const GarmentKind kind :
-       {GarmentKind::kSkirt, GarmentKind::kPants, GarmentKind::kOnePiece, GarmentKind::kSleevedOnePiece}) {
+  for (const GarmentKind kind : {GarmentKind::kSkirt, GarmentKind::kPants, GarmentKind::kShorts,
+                                 GarmentKind::kLongSleeve, GarmentKind::kOnePiece, GarmentKind::kSleevedOnePiece}) {
     const std::string what(GarmentKindName(kind));
     const ClothMesh cloth = Cut(kind, testing::DrawKind(kind));
     EXPECT_EQ(ComputeEulerCharacteristic(cloth), ExpectedEulerCharacteristic(kind)) << what;
