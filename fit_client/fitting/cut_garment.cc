@@ -61,6 +61,20 @@ void TakeForkMeasures(const ForkedPattern& forked, std::vector<GarmentMeasure>& 
   }
 }
 
+// Meshes the panels at twice the pitch, and so on up to a centimetre, the coarsest first; a garment that such a mesh
+// cannot hold does without. Coarser ones come to rest late where arm and trunk leave little room.
+template <typename Mesh>
+std::vector<ClothMesh> CoarserMeshes(double pitch, const Mesh& mesh) {
+  constexpr double kCoarsestPitch = 0.0125;  // (unit: metre)
+  std::vector<ClothMesh> coarser;
+  for (double coarse = 2.0 * pitch; coarse <= kCoarsestPitch; coarse *= 2.0) {
+    Result<ClothMesh> made = mesh(coarse);
+    if (!made.ok()) break;
+    coarser.insert(coarser.begin(), std::move(made).value());
+  }
+  return coarser;
+}
+
 }  // namespace
 
 double MeanEdgeLength(const ClothMesh& cloth) {
@@ -86,7 +100,9 @@ Result<CutGarment> CutGarmentToSize(const Garment& garment, const CutOptions& op
     FR_ASSIGN_OR_RETURN(fork, CutFork(garment, photographed, pattern, cut.size, options.fork_rule, cut.notes));
   }
   const std::optional<ForkedPattern>& forked = fork.forked;
-  FR_ASSIGN_OR_RETURN(cut.cloth, forked ? MeshFork(*forked, options.pitch) : MeshPattern(pattern, options.pitch));
+  const auto mesh = [&](double pitch) { return forked ? MeshFork(*forked, pitch) : MeshPattern(pattern, pitch); };
+  FR_ASSIGN_OR_RETURN(cut.cloth, mesh(options.pitch));
+  if (options.with_coarser) cut.coarser = CoarserMeshes(options.pitch, mesh);
   cut.topology = ComputeWeldedTopology(cut.cloth);
   cut.measures = MeasuresOf(garment, pattern, cut.size);
   if (forked && !fork.is_assumed) TakeForkMeasures(*forked, cut.measures);

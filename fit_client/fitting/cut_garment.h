@@ -19,6 +19,7 @@ struct CutOptions {
   // For trousers whose fork is neither stated nor photographed: an estimate that is judged. Empty: an assumed fork is
   // worn and not judged, see CutFork().
   std::optional<ForkRule> fork_rule;
+  bool with_coarser = true;  // Off: CutGarment::coarser stays empty.
 };
 
 // A garment in one size, cut into panels and meshed: what dressing needs to know of it, the same for every body.
@@ -26,6 +27,9 @@ struct CutGarment {
   GarmentKind kind = GarmentKind::kTShirt;
   std::string size;  // Empty where the garment has no chart.
   ClothMesh cloth;
+  // Of a fine mesh: the same panels at twice the pitch, and so on up to a centimetre, the coarsest first, to be dressed
+  // from coarse to fine.
+  std::vector<ClothMesh> coarser;
   ClothTopology topology;                // Once it is sewn.
   std::vector<GarmentMeasure> measures;  // Of this size, flat, with how each is known.
   std::vector<std::string> notes;        // What a shopper may want to know of how it was cut.

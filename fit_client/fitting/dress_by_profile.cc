@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fit_client/fit/paper/dress_as_printed.h"
+#include "fit_client/fit/refine/dress_coarse_to_fine.h"
 
 namespace fitroom {
 namespace {
@@ -53,7 +54,10 @@ Result<Dressing> DressByProfile(const CutGarment& cut, const DressedBody& wearer
                                 const DressingOptions& dressing, Executor& executor,
                                 const std::function<void(double done)>& progress) {
   if (options.profile == FitProfile::kPaper) return DressOnPaper(cut, wearer, dressing, executor, progress);
-  return DressGarment(cut.cloth, cut.kind, wearer, dressing, executor, progress);
+  std::vector<const ClothMesh*> meshes;
+  for (const ClothMesh& coarse : cut.coarser) meshes.push_back(&coarse);
+  meshes.push_back(&cut.cloth);
+  return DressCoarseToFine(meshes, cut.kind, wearer, dressing, executor, progress);
 }
 
 }  // namespace fitroom

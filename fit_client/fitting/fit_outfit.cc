@@ -59,7 +59,8 @@ Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers
     worn.input = layer.garment;
     const Garment& garment = layer.garment->garment;
     Result<CutGarment> cut = CutGarmentToSize(
-        garment, {options.pitch, layer.size, options.profile == FitProfile::kStandard, options.fork_rule});
+        garment, {options.pitch, layer.size, options.profile == FitProfile::kStandard, options.fork_rule,
+                  options.coarse_to_fine && options.profile == FitProfile::kStandard});
     if (!cut.ok()) return cut.status().At(garment.id);
     worn.cut = std::move(cut).value();
     DescribeInputs(body, garment, worn.cut, worn.report);

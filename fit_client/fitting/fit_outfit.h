@@ -30,6 +30,7 @@ struct FitOptions {
   FitProfile profile = FitProfile::kStandard;
   double pitch = 0.01;                // Edge length of the cloth meshes (unit: metre).
   std::optional<ForkRule> fork_rule;  // See CutOptions.
+  bool coarse_to_fine = true;         // Meshes finer than a centimetre are dressed in coarser ones first.
   DressingOptions dressing;           // The material is that of each garment's fabric.
 };
 

@@ -1,12 +1,13 @@
 // Dresses a population: every body in every outfit, each garment in the size of its chart that the body's primary
 // dimension names, or so many steps smaller or larger. Prints a line a garment and a table an outfit.
-//   population_bench --bodies FOLDER --garments FOLDER [--every N] [--step N] [--outfit NAME[+NAME]]... [--threads N]
+//   population_bench --bodies FOLDER --garments FOLDER [--every N] [--step N] [--outfit NAME[+NAME]]... [--pitch-cm
+//   P]... [--threads N]
 // FOLDER of garments: one folder a garment, as `shop_catalog extract` makes it, named as in the outfits.
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <map>
 #include <mutex>
@@ -30,8 +31,9 @@ struct Flags {
   int every = 1;
   int step = 0;
   int threads = 2;
-  double pitch_cm = 1.0;
+  std::vector<double> pitches_cm = {1.0};
   bool no_self_collision = false;
+  bool one_mesh = false;
 };
 
 // What came out of one garment of one outfit on one body.
@@ -50,8 +52,16 @@ struct Row {
   double ease_error = 0.0;  // Largest difference of worn and flat girth of the zones that hang free.
   int crossings = 0;
   int substeps = 0;
-  double seconds = 0.0;
+  double pitch_cm = 0.0;
+  std::vector<ZoneFit> zones;
+  double seconds = 0.0;  // Of one thread's work, whatever else the machine does.
 };
+
+double ThreadSeconds() {
+  timespec now = {};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 double LargestStretch(const ClothMesh& cloth, const std::vector<Eigen::Vector3d>& places) {
   double largest = 0.0;
@@ -100,6 +110,7 @@ Row MakeRow(const FittedGarment& fitted) {
   row.strain_max = report.strain.max;
   row.crossings = report.self_crossing_count;
   row.substeps = report.substep_count;
+  row.zones = report.zones;
   for (const ZoneFit& zone : report.zones) {
     const bool is_torso = zone.zone == FitZone::kBust || zone.zone == FitZone::kWaist || zone.zone == FitZone::kHip;
     if (!is_torso || !zone.measured || zone.worn_girth <= 0.0 || zone.ease() < 0.0) continue;
@@ -109,8 +120,7 @@ Row MakeRow(const FittedGarment& fitted) {
 }
 
 std::vector<Row> FitOne(const std::filesystem::path& body_file, const BodyInput& body, const std::string& outfit_name,
-                        const std::map<std::string, GarmentInput>& wardrobe, const Flags& flags) {
-  using Clock = std::chrono::steady_clock;
+                        const std::map<std::string, GarmentInput>& wardrobe, double pitch_cm, const Flags& flags) {
   std::vector<Row> rows;
   std::vector<Layer> layers;
   for (const std::string& name : GarmentsOf(outfit_name)) {
@@ -121,11 +131,12 @@ std::vector<Row> FitOne(const std::filesystem::path& body_file, const BodyInput&
   SerialExecutor executor;
   Stopwatch stopwatch;
   FitOptions options;
-  options.pitch = 0.01 * flags.pitch_cm;
+  options.pitch = 0.01 * pitch_cm;
   options.dressing.drape.self_collision = !flags.no_self_collision;
-  const Clock::time_point begin = Clock::now();
+  options.coarse_to_fine = !flags.one_mesh;
+  const double begin = ThreadSeconds();
   const Result<Outfit> outfit = FitOutfit(body, layers, options, executor, stopwatch, {});
-  const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  const double seconds = ThreadSeconds() - begin;
   if (outfit.ok()) {
     for (const FittedGarment& fitted : outfit->garments) {
       rows.push_back(MakeRow(fitted));
@@ -140,6 +151,7 @@ std::vector<Row> FitOne(const std::filesystem::path& body_file, const BodyInput&
   for (Row& row : rows) {
     row.body = body_file.stem().string();
     row.outfit = outfit_name;
+    row.pitch_cm = pitch_cm;
     row.seconds = seconds / static_cast<double>(rows.size());
   }
   return rows;
@@ -147,9 +159,9 @@ std::vector<Row> FitOne(const std::filesystem::path& body_file, const BodyInput&
 
 void PrintRow(const Row& row) {
   std::printf(
-      "%-6s %-14s %-12s %-4s %-26s deepest %5.2f mm inside %4d seam %5.2f mm strain95 %5.1f %% max %5.1f %% "
+      "%-6s %3.1f cm %-14s %-12s %-4s %-26s deepest %5.2f mm inside %4d seam %5.2f mm strain95 %5.1f %% max %5.1f %% "
       "ease %5.1f mm cross %4d steps %6d %6.2f s%s\n",
-      row.body.c_str(), row.outfit.c_str(), row.garment.c_str(), row.size.c_str(), row.reason.c_str(),
+      row.body.c_str(), row.pitch_cm, row.outfit.c_str(), row.garment.c_str(), row.size.c_str(), row.reason.c_str(),
       row.deepest * 1e3, row.inside, row.seam_max * 1e3, row.strain_p95 * 1e2, row.strain_max * 1e2,
       row.ease_error * 1e3, row.crossings, row.substeps, row.seconds, row.torn ? " TORN" : "");
   if (!row.finished) std::printf("       %s\n", row.text.c_str());
@@ -178,6 +190,36 @@ void PrintSummary(const std::vector<Row>& rows, const Flags& flags) {
     std::printf("%-14s %9d %9d %9d %6d %12.3f %10d %9.3f %10d %11.1f %8.2f\n", outfit.c_str(), count, finished, stated,
                 torn, deepest * 1e3, inside, seam * 1e3, crossings, ease * 1e3, count > 0 ? seconds / count : 0.0);
   }
+}
+
+// The girths of the worn garment on each mesh, and by how much they differ at most.
+void PrintAgreement(const std::vector<Row>& rows, const Flags& flags) {
+  std::printf("\n%-6s %-14s %-12s %-8s", "body", "outfit", "garment", "zone");
+  for (const double pitch_cm : flags.pitches_cm) std::printf("  %4.1f cm", pitch_cm);
+  std::printf("  differ by (mm)\n");
+  double largest = 0.0;
+  for (const Row& first : rows) {
+    if (first.pitch_cm != flags.pitches_cm.front()) continue;
+    for (size_t zone = 0; zone < first.zones.size(); ++zone) {
+      std::vector<double> girths;
+      for (const double pitch_cm : flags.pitches_cm) {
+        for (const Row& row : rows) {
+          const bool is_same = row.body == first.body && row.outfit == first.outfit && row.garment == first.garment;
+          if (!is_same || row.pitch_cm != pitch_cm || zone >= row.zones.size()) continue;
+          if (row.zones[zone].measured && row.zones[zone].worn_girth > 0.0)
+            girths.push_back(row.zones[zone].worn_girth);
+        }
+      }
+      if (girths.size() != flags.pitches_cm.size()) continue;
+      const auto [least, most] = std::minmax_element(girths.begin(), girths.end());
+      largest = std::max(largest, *most - *least);
+      std::printf("%-6s %-14s %-12s %-8s", first.body.c_str(), first.outfit.c_str(), first.garment.c_str(),
+                  std::string(FitZoneName(first.zones[zone].zone)).c_str());
+      for (const double girth : girths) std::printf("  %7.1f", girth * 1e3);
+      std::printf("  %5.1f\n", (*most - *least) * 1e3);
+    }
+  }
+  std::printf("largest difference %.1f mm\n", largest * 1e3);
 }
 
 int Run(const Flags& flags) {
@@ -226,10 +268,12 @@ int Run(const Flags& flags) {
         continue;
       }
       for (const std::string& outfit : flags.outfits) {
-        const std::vector<Row> rows = FitOne(chosen[i], *body, outfit, wardrobe, flags);
-        const std::lock_guard lock(mutex);
-        for (const Row& row : rows) PrintRow(row);
-        all.insert(all.end(), rows.begin(), rows.end());
+        for (const double pitch_cm : flags.pitches_cm) {
+          const std::vector<Row> rows = FitOne(chosen[i], *body, outfit, wardrobe, pitch_cm, flags);
+          const std::lock_guard lock(mutex);
+          for (const Row& row : rows) PrintRow(row);
+          all.insert(all.end(), rows.begin(), rows.end());
+        }
       }
     }
   };
@@ -237,6 +281,7 @@ int Run(const Flags& flags) {
   for (int i = 0; i < flags.threads; ++i) threads.emplace_back(work);
   for (std::thread& thread : threads) thread.join();
   PrintSummary(all, flags);
+  if (flags.pitches_cm.size() > 1) PrintAgreement(all, flags);
   return 0;
 }
 
@@ -252,7 +297,9 @@ int main(int argc, char** argv) {
   app.add_option("--every", flags.every, "Only every n-th body")->check(CLI::Range(1, 1000));
   app.add_option("--step", flags.step, "So many sizes larger (or smaller) than the right one");
   app.add_option("--threads", flags.threads, "Fits at a time")->check(CLI::Range(1, 64));
-  app.add_option("--pitch-cm", flags.pitch_cm, "Edge length of the cloth meshes");
+  app.add_option("--pitch-cm", flags.pitches_cm,
+                 "Edge length of the cloth meshes; several times: compares their girths");
+  app.add_flag("--one-mesh", flags.one_mesh, "Dress fine meshes without coarser ones first");
   app.add_flag("--no-self-collision", flags.no_self_collision, "Let cloth pass through itself");
   CLI11_PARSE(app, argc, argv);
   return fitroom::Run(flags);

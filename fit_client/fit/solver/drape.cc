@@ -159,4 +159,17 @@ Result<DrapeResult> Drape(const ClothMesh& mesh, std::span<const Eigen::Vector3d
   return DrapeResult{std::move(run.positions), std::move(run.report)};
 }
 
+Result<DrapeResult> Settle(const ClothMesh& mesh, std::span<const Eigen::Vector3d> worn_positions,
+                           const SignedDistanceField& body, const DrapeOptions& options, Executor& executor,
+                           const DrapeObserver& observer) {
+  FR_RETURN_IF_ERROR(CheckInput(mesh, worn_positions, options));
+  DrapeRun run{mesh, body, options, executor, observer, {worn_positions.begin(), worn_positions.end()}, {}, 0, {}};
+  run.Observe(DrapeStage::kStart, 0.0);
+  TakeSeams(run);
+  FR_RETURN_IF_ERROR(SettleGarment(run));
+  Conclude(run);
+  run.Observe(DrapeStage::kFinished, 1.0);
+  return DrapeResult{std::move(run.positions), std::move(run.report)};
+}
+
 }  // namespace fitroom

@@ -177,6 +177,13 @@ Result<DrapeResult> Drape(const ClothMesh& mesh, std::span<const Eigen::Vector3d
                           const SignedDistanceField& body, const DrapeOptions& options, Executor& executor,
                           const DrapeObserver& observer);
 
+// Lets a garment that is worn already settle on a finer mesh: `worn_positions` are where the same garment lies on a
+// coarser one. Pairs that are closed there are welded at once, `attach` holds the waist from the start, and gravity
+// acts until the cloth is at rest; nothing is relaxed or pulled up. Else like Drape().
+Result<DrapeResult> Settle(const ClothMesh& mesh, std::span<const Eigen::Vector3d> worn_positions,
+                           const SignedDistanceField& body, const DrapeOptions& options, Executor& executor,
+                           const DrapeObserver& observer);
+
 // Returns the positions with the two sides of each seam drawn apart by `gap`, each into its own panel, so that a
 // program that takes them for two sheets does not see them cross.
 std::vector<Eigen::Vector3d> SeparateSeamPartners(const ClothMesh& mesh, std::span<const Eigen::Vector3d> positions,

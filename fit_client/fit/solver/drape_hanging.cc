@@ -19,12 +19,15 @@ constexpr double kSettlingSpeed = 0.06;   // Falling ends when 99 % are slower (
 constexpr double kDrapingDrag = 12.0;     // (unit: 1/s). Over-critical for a hem that swings on 0.6 m of cloth.
 // What still creeps or trembles after each second of hanging is damped twice as much: the end is the same, sooner.
 constexpr double kLargestDrag = 100.0;  // (unit: 1/s)
-constexpr int kRestWindows = 3;         // Rest must hold for this many sixtieths of a second.
+// Cloth that a coarser mesh has brought to rest: what is slow has settled there, and what the finer mesh adds is fast.
+constexpr double kWornDrag = 50.0;  // At edges of 1 cm (unit: 1/s).
+constexpr int kRestWindows = 3;     // Rest must hold for this many sixtieths of a second.
 // Rest that holds for so long ends the run although samples stay closer than the clearance: where cloth is squeezed
 // between arm and trunk there is no room for it. Whether any is inside the body is measured and reported.
 constexpr int kPatientRestWindows = 12;
 // After so many windows of hanging offsets are raised no more: where there is no room they would only shake the cloth.
 constexpr int kRaisingWindows = 60;
+constexpr int kDampingWindows = 240;     // After so many nothing is damped more.
 constexpr int kOffBodyRestWindows = 60;  // The same where a vertex that has to touch the body does not.
 // After so many windows layers no longer push each other: what finds no room would tremble for ever. What crosses then
 // is ironed at the end.
@@ -83,20 +86,35 @@ class HangingGarment {
     run_.TakePositions(model_, state_);
     if (run_.options.pull_up) FR_RETURN_IF_ERROR(PullUp(*run_.options.pull_up));
     if (run_.options.attach) FR_RETURN_IF_ERROR(Belt());
-    FR_RETURN_IF_ERROR(ComeToRest());
+    FR_RETURN_IF_ERROR(ComeToRest(/*starts_worn=*/false));
+    return End();
+  }
+
+  Status Settle() {
+    IronTangles();
+    if (run_.options.attach) {
+      FR_ASSIGN_OR_RETURN(const std::vector<Attachment> attachments, ParticleAttachments());
+      solver_.Attach(state_, attachments);
+    }
+    FR_RETURN_IF_ERROR(ComeToRest(/*starts_worn=*/true));
+    return End();
+  }
+
+ private:
+  Status End() {
     IronAtRest();
     LiftOut();
     Conclude();
     return Status();
   }
-
- private:
+  // What the options attach, by the model's particles.
+  Result<std::vector<Attachment>> ParticleAttachments() const;
   void Relax();
   Status PullUp(const PullUpOptions& pull);
   Status Belt();
   bool TouchesFromBelow(const PullUpOptions& pull) const;
   bool ChainsHaveTheirLength();
-  Status ComeToRest();
+  Status ComeToRest(bool starts_worn);
   void LiftOut();
   Eigen::Vector3d WayOut(const Eigen::Vector3d& place, double least) const;
   void Conclude();
@@ -198,17 +216,24 @@ Status HangingGarment::PullUp(const PullUpOptions& pull) {
   return Status();
 }
 
-// Carries the waist to its place on the belt and lets the cloth below follow, still without gravity.
-Status HangingGarment::Belt() {
+Result<std::vector<Attachment>> HangingGarment::ParticleAttachments() const {
   FR_ASSIGN_OR_RETURN(std::vector<Attachment> attachments, run_.options.attach(run_.positions));
-  double longest_way = 0.0;
   for (Attachment& attachment : attachments) {
     if (attachment.particle < 0 || static_cast<size_t>(attachment.particle) >= run_.positions.size()) {
       return InvalidArgument("VERTEX_OUT_OF_RANGE", "the belt holds a vertex that does not exist");
     }
-    const size_t vertex = static_cast<size_t>(attachment.particle);
-    longest_way = std::max(longest_way, (attachment.target - run_.positions[vertex]).norm());
-    attachment.particle = model_.particle_of_vertex()[vertex];
+    attachment.particle = model_.particle_of_vertex()[static_cast<size_t>(attachment.particle)];
+  }
+  return attachments;
+}
+
+// Carries the waist to its place on the belt and lets the cloth below follow, still without gravity.
+Status HangingGarment::Belt() {
+  FR_ASSIGN_OR_RETURN(const std::vector<Attachment> attachments, ParticleAttachments());
+  const std::vector<Eigen::Vector3d> places = ClothSolver::Positions(state_, model_.particle_count());
+  double longest_way = 0.0;
+  for (const Attachment& attachment : attachments) {
+    longest_way = std::max(longest_way, (attachment.target - places[static_cast<size_t>(attachment.particle)]).norm());
   }
   const MotionOptions motion = QuasiStaticMotion(run_.options);
   solver_.SetMotion(motion);
@@ -277,20 +302,20 @@ bool HangingGarment::IsAtRest(const std::vector<Eigen::Vector3d>& before, const 
   return report.share_at_rest >= run_.options.rest_share && report.speed_p99 < run_.options.rest_speed_of_99_percent;
 }
 
-Status HangingGarment::ComeToRest() {
+Status HangingGarment::ComeToRest(bool starts_worn) {
   const DrapeOptions& options = run_.options;
   DrapeReport& report = run_.report;
   MotionOptions motion;
   const double edge_scale = MeanEdgeLength(run_.mesh) / 0.01;
-  motion.time_step = kFallingStep * edge_scale;
+  bool is_settling = starts_worn;
+  motion.time_step = (is_settling ? kSettlingStep : kFallingStep) * edge_scale;
   motion.gravity = options.gravity;
-  motion.drag = kDrapingDrag;
+  motion.drag = starts_worn ? std::min(kWornDrag / edge_scale, kLargestDrag) : kDrapingDrag;
   motion.friction_coefficient = options.friction_coefficient;
   motion.contact_offset = options.contact_offset;
   solver_.SetMotion(motion);
 
   int window_count = 0;
-  bool is_settling = false;
   std::vector<Eigen::Vector3d> before = ClothSolver::Positions(state_, model_.particle_count());
   while (report.draping_substeps < options.draping_substep_limit) {
     const int window = static_cast<int>(std::max(1L, std::lround(1.0 / (60.0 * motion.time_step))));
@@ -306,7 +331,8 @@ Status HangingGarment::ComeToRest() {
     before = after;
     const int samples_too_close =
         ++window_count <= kRaisingWindows ? solver_.RaiseOffsets(state_, options.sample_clearance) : 1;
-    const int windows_needed = !TouchesBody()           ? kOffBodyRestWindows
+    const bool may_slide = !TouchesBody() && !starts_worn;
+    const int windows_needed = may_slide                ? kOffBodyRestWindows
                                : samples_too_close == 0 ? kRestWindows
                                                         : kPatientRestWindows;
     const bool may_end = windows_at_rest_ >= windows_needed;
@@ -314,7 +340,7 @@ Status HangingGarment::ComeToRest() {
     const bool was_tangled = may_iron && IronTangles();
     if (may_end && !was_tangled) break;
     if (was_tangled) windows_at_rest_ = 0;
-    if (window_count % kRaisingWindows == 0 && motion.drag < kLargestDrag) {
+    if (window_count % kRaisingWindows == 0 && window_count <= kDampingWindows) {
       motion.drag *= 2.0;
       solver_.SetMotion(motion);
       self_collision_.GiveIn();
@@ -392,6 +418,11 @@ void HangingGarment::Conclude() {
 Status HangGarment(DrapeRun& run) {
   FR_ASSIGN_OR_RETURN(const ClothModel model, ClothModel::Create(run.mesh, run.options.material, ClosedSeams(run)));
   return HangingGarment(run, model).Hang();
+}
+
+Status SettleGarment(DrapeRun& run) {
+  FR_ASSIGN_OR_RETURN(const ClothModel model, ClothModel::Create(run.mesh, run.options.material, ClosedSeams(run)));
+  return HangingGarment(run, model).Settle();
 }
 
 }  // namespace fitroom

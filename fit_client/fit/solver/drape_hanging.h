@@ -10,4 +10,8 @@ namespace fitroom {
 // `run`. Fails like ClothModel::Create(), and with INTERNAL where the state stops being finite.
 Status HangGarment(DrapeRun& run);
 
+// The same for a garment that is worn already: no relaxing, no pulling up; what is attached is held where it is, and
+// the cloth settles in short steps from the start.
+Status SettleGarment(DrapeRun& run);
+
 }  // namespace fitroom

@@ -130,4 +130,9 @@ Status MergeSeams(DrapeRun& run) {
   return Status();
 }
 
+void TakeSeams(DrapeRun& run) {
+  run.report.seam_pair_count = static_cast<int>(run.mesh.seams.size());
+  DescribeGaps(run.SeamGaps(), run);
+}
+
 }  // namespace fitroom

@@ -10,4 +10,7 @@ namespace fitroom {
 // ClothModel::Create(), and with INTERNAL where the state stops being finite.
 Status MergeSeams(DrapeRun& run);
 
+// Takes the seams as they are, closed or open, without drawing at them: the same of `run` is left.
+void TakeSeams(DrapeRun& run);
+
 }  // namespace fitroom

@@ -81,12 +81,12 @@ Result<Dressing> DressBottom(const ClothMesh& cloth, const DressedBody& wearer, 
   FR_ASSIGN_OR_RETURN(const LowerBody lower, LowerBody::Cut(wearer.body, wearer.collider, wearer.layers));
   FR_ASSIGN_OR_RETURN(const BottomOutline outline, FindBottomOutline(cloth));
   FR_ASSIGN_OR_RETURN(BottomPose pose, PlaceBottom(cloth, outline, lower, options.bottom_pose));
-  FR_ASSIGN_OR_RETURN(
-      const SignedDistanceField field,
-      BuildDressedField(wearer.collider, wearer.layers, ReachOf(pose.around), options.field_pitch, executor));
+  FR_ASSIGN_OR_RETURN(SignedDistanceField field, BuildDressedField(wearer.collider, wearer.layers, ReachOf(pose.around),
+                                                                   options.field_pitch, executor));
   PushOut(field, options.drape.contact_offset, pose.around);
 
   Dressing result;
+  result.field = std::make_shared<const SignedDistanceField>(std::move(field));
   result.stages.start = pose.apart;
   for (size_t i = 0; i < pose.apart.size(); ++i) {
     result.stages.merging.push_back((1.0 - kMergingPicture) * pose.apart[i] + kMergingPicture * pose.round_legs[i]);
@@ -120,7 +120,7 @@ Result<Dressing> DressBottom(const ClothMesh& cloth, const DressedBody& wearer, 
     }
     if (progress) progress(snapshot.progress);
   };
-  FR_ASSIGN_OR_RETURN(DrapeResult draped, Drape(cloth, pose.around, field, drape, executor, observer));
+  FR_ASSIGN_OR_RETURN(DrapeResult draped, Drape(cloth, pose.around, *result.field, drape, executor, observer));
   result.stages.final = std::move(draped.positions);
   result.report = std::move(draped.report);
   Describe(lower, result.report, outcome);

@@ -60,21 +60,27 @@ Result<Dressing> DressTop(const ClothMesh& cloth, GarmentKind kind, const Dresse
   FR_ASSIGN_OR_RETURN(
       const StartPose pose,
       PlaceTop(cloth, kind, wearer.body, wearer.layers.empty() ? wearer.collider : Together(wearer), options.top_pose));
-  FR_ASSIGN_OR_RETURN(const SignedDistanceField field,
+  FR_ASSIGN_OR_RETURN(SignedDistanceField field,
                       BuildDressedField(wearer.collider, wearer.layers, ReachOf(pose), options.field_pitch, executor));
   Dressing result;
+  result.field = std::make_shared<const SignedDistanceField>(std::move(field));
   result.stages.start = pose.apart;
   result.stages.merging = Between(pose.apart, pose.around, kMergingPicture);
   DrapeOptions drape_options = options.drape;
   drape_options.touching_vertices = ShoulderPoints(cloth, wearer.body, pose);
   result.shoulder_point_count = static_cast<int>(drape_options.touching_vertices.size());
+  for (const NamedParticle& named : cloth.named_particles) {
+    const std::vector<int>& touching = drape_options.touching_vertices;
+    if (std::find(touching.begin(), touching.end(), named.particle) == touching.end()) continue;
+    result.shoulder_points.push_back(named.name);
+  }
   const DrapeObserver observer = [&](const DrapeSnapshot& snapshot) {
     if (snapshot.stage == DrapeStage::kStitched) {
       result.stages.stitched.assign(snapshot.positions.begin(), snapshot.positions.end());
     }
     if (progress) progress(snapshot.progress);
   };
-  FR_ASSIGN_OR_RETURN(DrapeResult drape, Drape(cloth, pose.around, field, drape_options, executor, observer));
+  FR_ASSIGN_OR_RETURN(DrapeResult drape, Drape(cloth, pose.around, *result.field, drape_options, executor, observer));
   result.stages.final = std::move(drape.positions);
   if (result.stages.stitched.empty()) result.stages.stitched = result.stages.final;
   result.report = std::move(drape.report);

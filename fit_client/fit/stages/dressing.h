@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +13,7 @@
 #include "common/base/status.h"
 #include "common/body/body.h"
 #include "fit_client/fit/cloth_mesh.h"
+#include "fit_client/fit/collision/signed_distance_field.h"
 #include "fit_client/fit/solver/drape.h"
 #include "fit_client/fit/stages/belt.h"
 #include "fit_client/fit/stages/place_bottom.h"
@@ -63,7 +65,9 @@ struct DressingOptions {
 struct Dressing {
   DressingStages stages;
   DrapeReport report;
-  int shoulder_point_count = 0;  // Tops: that condition (6) looked at; none where all dropped to the arms.
+  int shoulder_point_count = 0;              // Tops: that condition (6) looked at; none where all dropped to the arms.
+  std::vector<std::string> shoulder_points;  // Their names.
+  std::shared_ptr<const SignedDistanceField> field;  // What it was draped on: body and layers, around the garment.
   std::optional<BottomOutcome> bottom;
 };
 

@@ -11,6 +11,7 @@
 #include "fit_client/fit/panels/mesh_pattern.h"
 #include "fit_client/fit/panels/reconcile.h"
 #include "fit_client/fit/panels/topology.h"
+#include "fit_client/fit/refine/dress_coarse_to_fine.h"
 #include "fit_client/fit/stages/dress_garment.h"
 #include "fit_client/fitting/cut_garment.h"
 #include "fit_client/fitting/fit_inputs.h"
@@ -172,6 +173,37 @@ TEST(WornKinds, OneThreadAndTwoGiveTheSameBytes) {
   ThreadPool two(2);
   EXPECT_EQ(wearer.PutOn(GarmentKind::kSkirt, skirt, {}, one)->stages.final,
             wearer.PutOn(GarmentKind::kSkirt, skirt, {}, two)->stages.final);
+}
+
+// A coarse mesh of the worn skirt, then a finer one: the belt holds the waist where it held it, the skirt hangs as
+// wide, and any number of threads gives the same bytes.
+TEST(WornKinds, DressedFromCoarseToFineTheSkirtHangsWhereTheCoarseOneHung) {
+  FR_REQUIRE_TEST_DATA();
+  const Wearer wearer("p003");
+  const GarmentPattern pattern = ReconcileViews(testing::DrawKind(GarmentKind::kSkirt)).value();
+  const ClothMesh coarse = MeshPattern(pattern, 0.024).value();
+  const ClothMesh fine = MeshPattern(pattern, 0.012).value();
+  const std::vector<const ClothMesh*> meshes = {&coarse, &fine};
+  SerialExecutor one;
+  ThreadPool two(2);
+  const auto put_on = [&](Executor& executor) {
+    return DressCoarseToFine(meshes, GarmentKind::kSkirt, {wearer.scan.body, wearer.collider, {}}, DressingOptions(),
+                             executor, {})
+        .value();
+  };
+  const Dressing worn = put_on(one);
+  EXPECT_EQ(worn.stages.final, put_on(two).stages.final);
+  EXPECT_EQ(worn.report.outcome, DrapeOutcome::kAtRest) << worn.report.finishing_reason;
+  EXPECT_EQ(worn.report.particles_inside + worn.report.samples_inside, 0);
+  EXPECT_EQ(worn.report.self_crossing_count, 0);
+  EXPECT_LE(worn.report.final_seam_gap_max, 0.0005);
+  const Dressing alone = wearer.PutOn(GarmentKind::kSkirt, coarse, {}, one).value();
+  EXPECT_NEAR(worn.bottom->belt.height, alone.bottom->belt.height, 1e-9);
+  EXPECT_NEAR(worn.bottom->belt.garment_girth, alone.bottom->belt.garment_girth, 0.002);
+  for (const char* corner : {"/e1", "/e2", "/e3", "/e4"}) {
+    EXPECT_NEAR(MeanHeight(fine, worn.stages.final, corner), MeanHeight(coarse, alone.stages.final, corner), 0.01);
+  }
+  EXPECT_EQ(worn.stages.belted.size(), fine.rest_positions.size());
 }
 
 }  // namespace
