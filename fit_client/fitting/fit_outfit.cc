@@ -71,6 +71,7 @@ Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers
     const auto dressing = [&](double done) { report_progress("dressing", begin + share * (0.05 + 0.95 * done)); };
     DressingOptions dressing_options = options.dressing;
     dressing_options.drape.material = DrapeMaterial(FabricOf(garment));
+    dressing_options.drape.limit_strain = FabricOf(garment).limit_strain();
     Result<Dressing> dressed = DressByProfile(worn.cut, {body.body, outfit.body_surface, worn_already}, options,
                                               dressing_options, executor, dressing);
     if (!dressed.ok()) return dressed.status().At(garment.id);

@@ -252,7 +252,9 @@ void ClothSolver::SolvePulls(ClothState& state, std::span<const SeamPull> pulls,
     const __m128 way = Xyz(_mm_sub_ps(at_b, at_a));
     const float length = std::sqrt(Dot3(way, way));
     if (length < 1e-9F || a.w + b.w <= 0.0F) continue;
-    const float step = std::min(length, largest) / length;
+    const bool is_tie = pull.tie_length > 0.0F;
+    if (is_tie && length <= pull.tie_length) continue;
+    const float step = (is_tie ? length - pull.tie_length : std::min(length, largest)) / length;
     const float share = a.w / (a.w + b.w);
     __m128 step_a = _mm_mul_ps(way, _mm_set1_ps(step * share));
     __m128 step_b = _mm_mul_ps(way, _mm_set1_ps(-step * (1.0F - share)));

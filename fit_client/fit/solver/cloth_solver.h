@@ -65,6 +65,8 @@ struct SeamPull {
   int a = 0;
   int b = 0;
   bool around_body = false;  // The straight way is blocked by the body: pull along the surface.
+  // Above zero, a tie in place of a pull: at once no farther apart than this, and free when nearer (unit: metre).
+  float tie_length = 0.0F;
 };
 
 // Moves a cloth by extended position-based dynamics with one sweep a substep (Macklin et al., "Small steps in physics

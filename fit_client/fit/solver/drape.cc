@@ -18,7 +18,13 @@ void Conclude(DrapeRun& run) {
   DrapeReport& report = run.report;
   const std::vector<double> gaps = run.SeamGaps();
   char text[200] = "";
-  if (report.outcome == DrapeOutcome::kSeamsOpen) {
+  if (report.outcome == DrapeOutcome::kSeamsOpen && !report.openings.empty()) {
+    const SeamOpening& opening = report.openings.front();
+    std::snprintf(text, sizeof(text), "does not close by %.0f mm: the %s %s is open over %.0f cm, a gap of %.0f mm%s",
+                  opening.lacking_girth * 1e3, opening.is_left ? "left" : "right",
+                  opening.is_sleeve ? "sleeve's seam" : "side seam", opening.seam_length * 100.0, opening.gap * 1e3,
+                  report.is_open_at_rest ? "" : "; not at rest at the step limit");
+  } else if (report.outcome == DrapeOutcome::kSeamsOpen) {
     size_t worst = 0;
     for (size_t index = 0; index < gaps.size(); ++index) {
       if (gaps[index] > gaps[worst]) worst = index;
@@ -149,7 +155,8 @@ Result<DrapeResult> Drape(const ClothMesh& mesh, std::span<const Eigen::Vector3d
                           const SignedDistanceField& body, const DrapeOptions& options, Executor& executor,
                           const DrapeObserver& observer) {
   FR_RETURN_IF_ERROR(CheckInput(mesh, start_positions, options));
-  DrapeRun run{mesh, body, options, executor, observer, {start_positions.begin(), start_positions.end()}, {}, 0, {}};
+  DrapeRun run{mesh, body, options, executor, observer, {start_positions.begin(), start_positions.end()},
+               {},   0,    {},      {},       {},       {}};
   run.Observe(DrapeStage::kStart, 0.0);
   FR_RETURN_IF_ERROR(MergeSeams(run));
   run.Observe(DrapeStage::kStitched, 0.3);
@@ -163,7 +170,8 @@ Result<DrapeResult> Settle(const ClothMesh& mesh, std::span<const Eigen::Vector3
                            const SignedDistanceField& body, const DrapeOptions& options, Executor& executor,
                            const DrapeObserver& observer) {
   FR_RETURN_IF_ERROR(CheckInput(mesh, worn_positions, options));
-  DrapeRun run{mesh, body, options, executor, observer, {worn_positions.begin(), worn_positions.end()}, {}, 0, {}};
+  DrapeRun run{mesh, body, options, executor, observer, {worn_positions.begin(), worn_positions.end()},
+               {},   0,    {},      {},       {},       {}};
   run.Observe(DrapeStage::kStart, 0.0);
   TakeSeams(run);
   FR_RETURN_IF_ERROR(SettleGarment(run));

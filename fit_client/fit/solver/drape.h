@@ -82,6 +82,16 @@ using AttachFunction = std::function<Result<std::vector<Attachment>>(std::span<c
 // A chain of vertices whose length is compared with its length at rest: an outseam of condition (11).
 using VertexChain = std::vector<int>;
 
+// A stretch of seam that stays open because the garment lacks girth there.
+struct SeamOpening {
+  double lacking_girth = 0.0;  // Of the body with its layer, to the garment at its fabric's limit (unit: metre).
+  double gap = 0.0;            // Between the two sides there, along the body (unit: metre).
+  double seam_length = 0.0;    // Of open seam, at rest (unit: metre).
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();  // Where most is missing (unit: metre).
+  bool is_left = true;                              // The wearer's left.
+  bool is_sleeve = false;                           // A sleeve's underside; else a side seam or outseam.
+};
+
 // How and when dressing ends. Rates are per second and sizes in metres, so that they fit any mesh.
 struct DrapeOptions {
   ClothMaterial material;
@@ -92,6 +102,10 @@ struct DrapeOptions {
       0.05;                         // While seams are drawn together: hardly any, or the underarm is caught.
   double contact_offset = 0.003;    // Particles stay this far outside the body (unit: metre).
   double sample_clearance = 0.001;  // Edge middles and triangle centres stay this far outside (unit: metre).
+
+  // How far the fabric can be stretched. A hoop of the garment that would have to be longer to close round the body
+  // opens its seam by what is missing (unit: 1). 0: seams hold whatever they are put to.
+  double limit_strain = 0.0;
 
   bool self_collision = true;  // Layers of the cloth keep apart from each other once stitched.
 
@@ -139,7 +153,9 @@ struct DrapeReport {
   double seam_gap_mean = 0.0;  // When merging ended; the welded ones then coincide (unit: metre).
   double seam_gap_p95 = 0.0;
   double seam_gap_max = 0.0;
-  double final_seam_gap_max = 0.0;  // In the result (unit: metre).
+  double final_seam_gap_max = 0.0;    // In the result (unit: metre).
+  std::vector<SeamOpening> openings;  // Where girth is missing, the most first; only with a limit strain.
+  bool is_open_at_rest = false;       // Seams are open and the cloth is at rest all the same.
 
   double speed_p99 = 0.0;  // At the end (unit: m/s).
   double speed_max = 0.0;

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
+#include "fit_client/fit/solver/drape_hoops.h"
 #include "fit_client/fit/solver/drape_measures.h"
+#include "fit_client/fit/solver/drape_opening.h"
 #include "fit_client/fit/solver/self_collision.h"
 
 namespace fitroom {
@@ -41,6 +44,11 @@ constexpr double kPullProgress = 2e-4;   // this much of a rise (unit: metre) an
 constexpr double kFromBelow = 0.4;       // The body's normal points down by more than this share at the groin.
 constexpr int kLongestBelting = 1200;    // Substeps for the waist's way to the belt,
 constexpr int kSettlingAfterBelt = 192;  // and for the cloth below to follow.
+constexpr int kOpeningSubsteps = 256;    // Of 0.5 ms: seams that give way are open before,
+constexpr int kOpeningInterval = 16;     // substeps between looks at them,
+constexpr double kTieError = 0.003;      // and hoops no longer than the fabric's limit and this (unit: metre).
+constexpr int kAdjustingWindows = 30;    // Under gravity their ties are adjusted for so long.
+constexpr int kOpeningRounds = 3;        // A seam may give way once its neighbour has.
 
 // The mean edge of the mesh, within what the steps were tuned on (unit: metre).
 double MeanEdgeLength(const ClothMesh& mesh) {
@@ -55,13 +63,15 @@ double MeanEdgeLength(const ClothMesh& mesh) {
   return std::clamp(sum / (3.0 * static_cast<double>(mesh.triangles.size())), 0.004, 0.025);
 }
 
-// The pairs that were closed by merging.
+// The pairs that were closed by merging and do not give way.
 std::vector<SeamPair> ClosedSeams(const DrapeRun& run) {
   std::vector<SeamPair> closed;
-  for (const SeamPair& pair : run.mesh.seams) {
+  for (size_t index = 0; index < run.mesh.seams.size(); ++index) {
+    const SeamPair& pair = run.mesh.seams[index];
     const bool is_open = std::any_of(run.open_seams.begin(), run.open_seams.end(),
                                      [&](const SeamPair& open) { return open.a == pair.a && open.b == pair.b; });
-    if (!is_open) closed.push_back(pair);
+    const bool is_tied = index < run.tie_lengths.size() && run.tie_lengths[index] > 0.0;
+    if (!is_open && !is_tied) closed.push_back(pair);
   }
   return closed;
 }
@@ -80,7 +90,11 @@ class HangingGarment {
 
   Status Hang() {
     IronTangles();
-    Relax();
+    if (HasTies()) {
+      FR_RETURN_IF_ERROR(Open());
+    } else {
+      Relax();
+    }
     IronTangles();
     FR_RETURN_IF_ERROR(run_.CheckFinite(state_));
     run_.TakePositions(model_, state_);
@@ -93,10 +107,19 @@ class HangingGarment {
   Status Settle() {
     IronTangles();
     if (run_.options.attach) {
-      FR_ASSIGN_OR_RETURN(const std::vector<Attachment> attachments, ParticleAttachments());
-      solver_.Attach(state_, attachments);
+      FR_RETURN_IF_ERROR(LayBelt());
+      HoldBelt();
     }
     FR_RETURN_IF_ERROR(ComeToRest(/*starts_worn=*/true));
+    return End();
+  }
+
+  // Lets the seams of the run's ties open, where the garment is.
+  Status HangOpen() {
+    if (!run_.belt.empty()) HoldBelt();
+    FR_RETURN_IF_ERROR(Open());
+    IronTangles();
+    FR_RETURN_IF_ERROR(ComeToRest(/*starts_worn=*/false));
     return End();
   }
 
@@ -107,9 +130,13 @@ class HangingGarment {
     Conclude();
     return Status();
   }
-  // What the options attach, by the model's particles.
-  Result<std::vector<Attachment>> ParticleAttachments() const;
+  // Asks the options for the run's belt.
+  Status LayBelt();
   void Relax();
+  Status Open();
+  // Attaches the run's belt, as wide open as its seams; returns the longest way to a target (unit: metre).
+  double HoldBelt();
+  bool HasTies() const { return !run_.tie_lengths.empty(); }
   Status PullUp(const PullUpOptions& pull);
   Status Belt();
   bool TouchesFromBelow(const PullUpOptions& pull) const;
@@ -158,6 +185,23 @@ void HangingGarment::Relax() {
   run_.substep += limit;
 }
 
+// Lets open seams go apart as far as their ties allow: without gravity and nearly without friction, so that the whole
+// hoop gives and not the cloth beside the seam alone, and not for longer, because cloth that is too narrow climbs.
+Status HangingGarment::Open() {
+  solver_.SetMotion(QuasiStaticMotion(run_.options));
+  for (int done = 0; done < kOpeningSubsteps; done += kOpeningInterval) {
+    solver_.Advance(state_, kOpeningInterval, run_.MakePullsAndTies(model_, run_.open_seams),
+                    0.1 * run_.options.closing_speed);
+    run_.report.relaxing_substeps += kOpeningInterval;
+    run_.substep += kOpeningInterval;
+    FR_RETURN_IF_ERROR(run_.CheckFinite(state_));
+    run_.TakePositions(model_, state_);
+    if (HasOpened(run_)) break;
+  }
+  solver_.RaiseOffsets(state_, run_.options.sample_clearance);
+  return Status();
+}
+
 // Only contact from below counts: a crotch between thighs that touch is near the body long before it is up.
 bool HangingGarment::TouchesFromBelow(const PullUpOptions& pull) const {
   for (const int vertex : pull.crotch_vertices) {
@@ -200,7 +244,8 @@ Status HangingGarment::PullUp(const PullUpOptions& pull) {
       report.pull_end = PullEnd::kStuck;
       break;
     }
-    solver_.Advance(state_, kPullInterval, run_.MakePulls(model_, run_.open_seams), 0.1 * run_.options.closing_speed);
+    solver_.Advance(state_, kPullInterval, run_.MakePullsAndTies(model_, run_.open_seams),
+                    0.1 * run_.options.closing_speed);
     report.pulling_substeps += kPullInterval;
     run_.substep += kPullInterval;
     FR_RETURN_IF_ERROR(run_.CheckFinite(state_));
@@ -216,32 +261,27 @@ Status HangingGarment::PullUp(const PullUpOptions& pull) {
   return Status();
 }
 
-Result<std::vector<Attachment>> HangingGarment::ParticleAttachments() const {
-  FR_ASSIGN_OR_RETURN(std::vector<Attachment> attachments, run_.options.attach(run_.positions));
-  for (Attachment& attachment : attachments) {
+// Asks where the waist is to be held: vertices of the mesh.
+Status HangingGarment::LayBelt() {
+  FR_ASSIGN_OR_RETURN(run_.belt, run_.options.attach(run_.positions));
+  for (const Attachment& attachment : run_.belt) {
     if (attachment.particle < 0 || static_cast<size_t>(attachment.particle) >= run_.positions.size()) {
       return InvalidArgument("VERTEX_OUT_OF_RANGE", "the belt holds a vertex that does not exist");
     }
-    attachment.particle = model_.particle_of_vertex()[static_cast<size_t>(attachment.particle)];
   }
-  return attachments;
+  return Status();
 }
 
 // Carries the waist to its place on the belt and lets the cloth below follow, still without gravity.
 Status HangingGarment::Belt() {
-  FR_ASSIGN_OR_RETURN(const std::vector<Attachment> attachments, ParticleAttachments());
-  const std::vector<Eigen::Vector3d> places = ClothSolver::Positions(state_, model_.particle_count());
-  double longest_way = 0.0;
-  for (const Attachment& attachment : attachments) {
-    longest_way = std::max(longest_way, (attachment.target - places[static_cast<size_t>(attachment.particle)]).norm());
-  }
+  FR_RETURN_IF_ERROR(LayBelt());
   const MotionOptions motion = QuasiStaticMotion(run_.options);
   solver_.SetMotion(motion);
-  solver_.Attach(state_, attachments);
+  const double longest_way = HoldBelt();
   const int arrival = static_cast<int>(std::ceil(longest_way / (motion.attachment_speed * motion.time_step)));
   const int limit = std::min(arrival, kLongestBelting) + kSettlingAfterBelt;
   for (int done = 0; done < limit; done += kRelaxingInterval) {
-    solver_.Advance(state_, kRelaxingInterval, run_.MakePulls(model_, run_.open_seams),
+    solver_.Advance(state_, kRelaxingInterval, run_.MakePullsAndTies(model_, run_.open_seams),
                     0.1 * run_.options.closing_speed);
     solver_.RaiseOffsets(state_, run_.options.sample_clearance);
     run_.report.belting_substeps += kRelaxingInterval;
@@ -251,6 +291,18 @@ Status HangingGarment::Belt() {
   }
   run_.Observe(DrapeStage::kBelted, 0.4);
   return Status();
+}
+
+double HangingGarment::HoldBelt() {
+  std::vector<Attachment> attachments = HasTies() ? WidenBelt(run_) : run_.belt;
+  double longest_way = 0.0;
+  for (Attachment& attachment : attachments) {
+    const size_t vertex = static_cast<size_t>(attachment.particle);
+    longest_way = std::max(longest_way, (attachment.target - run_.positions[vertex]).norm());
+    attachment.particle = model_.particle_of_vertex()[vertex];
+  }
+  solver_.Attach(state_, attachments);
+  return longest_way;
 }
 
 bool HangingGarment::ChainsHaveTheirLength() {
@@ -316,18 +368,21 @@ Status HangingGarment::ComeToRest(bool starts_worn) {
   solver_.SetMotion(motion);
 
   int window_count = 0;
+  const int substep_limit = report.draping_substeps + options.draping_substep_limit;
   std::vector<Eigen::Vector3d> before = ClothSolver::Positions(state_, model_.particle_count());
-  while (report.draping_substeps < options.draping_substep_limit) {
+  while (report.draping_substeps < substep_limit) {
     const int window = static_cast<int>(std::max(1L, std::lround(1.0 / (60.0 * motion.time_step))));
-    solver_.Advance(state_, window, run_.MakePulls(model_, run_.open_seams), 0.1 * options.closing_speed);
+    solver_.Advance(state_, window, run_.MakePullsAndTies(model_, run_.open_seams), 0.1 * options.closing_speed);
     report.draping_substeps += window;
     report.simulated_seconds += window * motion.time_step;
     run_.substep += window;
     FR_RETURN_IF_ERROR(run_.CheckFinite(state_));
     const std::vector<Eigen::Vector3d> after = ClothSolver::Positions(state_, model_.particle_count());
     run_.TakePositions(model_, state_);
+    const bool is_opening =
+        HasTies() && window_count < kAdjustingWindows && AdjustTies(run_, /*may_shorten=*/false) > kTieError;
     const bool at_rest = IsAtRest(before, after, window * motion.time_step);
-    windows_at_rest_ = at_rest && is_settling ? windows_at_rest_ + 1 : 0;
+    windows_at_rest_ = at_rest && is_settling && !is_opening ? windows_at_rest_ + 1 : 0;
     before = after;
     const int samples_too_close =
         ++window_count <= kRaisingWindows ? solver_.RaiseOffsets(state_, options.sample_clearance) : 1;
@@ -404,25 +459,74 @@ void HangingGarment::Conclude() {
   DrapeReport& report = run_.report;
   TouchesBody();
   ChainsHaveTheirLength();
-  report.outcome = !run_.open_seams.empty()           ? DrapeOutcome::kSeamsOpen
-                   : windows_at_rest_ >= kRestWindows ? DrapeOutcome::kAtRest
-                                                      : DrapeOutcome::kNotAtRest;
+  report.is_open_at_rest = (HasTies() || !run_.open_seams.empty()) && windows_at_rest_ >= kRestWindows;
+  report.outcome = HasTies() || !run_.open_seams.empty() ? DrapeOutcome::kSeamsOpen
+                   : windows_at_rest_ >= kRestWindows    ? DrapeOutcome::kAtRest
+                                                         : DrapeOutcome::kNotAtRest;
   const std::vector<Eigen::Vector3d> particles = run_.ParticlePositions(model_);
   MeasureStrain(model_, particles, run_.mesh, report);
   MeasurePenetration(model_, particles, run_.body, run_.executor, report);
   report.self_crossing_count = CountSelfCrossings(model_, particles, run_.executor);
 }
 
+// Ties seams from now on; what is tied is drawn together no more.
+void TieSeams(DrapeRun& run, std::vector<double> tie_lengths) {
+  if (std::none_of(tie_lengths.begin(), tie_lengths.end(), [](double length) { return length > 0.0; })) return;
+  run.tie_lengths = std::move(tie_lengths);
+  std::erase_if(run.open_seams, [&](const SeamPair& open) {
+    for (size_t index = 0; index < run.tie_lengths.size(); ++index) {
+      const SeamPair& pair = run.mesh.seams[index];
+      if (run.tie_lengths[index] > 0.0 && pair.a == open.a && pair.b == open.b) return true;
+    }
+    return false;
+  });
+}
+
+// Hangs the garment again with the seams open that its girth cannot close, until no more give way. What turns out to
+// close all the same, because the cloth finds another place, stays as it was when sewn.
+Status OpenSeams(DrapeRun& run) {
+  if (!(run.options.limit_strain > 0.0)) return Status();
+  if (run.hoops.empty()) run.hoops = FindHoops(run.mesh);
+  const bool was_sewn = run.tie_lengths.empty();
+  const std::vector<Eigen::Vector3d> sewn_positions = run.positions;
+  const DrapeReport sewn_report = run.report;
+  const std::vector<SeamPair> sewn_open = run.open_seams;
+  const auto tie_count = [](const std::vector<double>& lengths) {
+    return std::count_if(lengths.begin(), lengths.end(), [](double length) { return length > 0.0; });
+  };
+  for (int round = 0; round < kOpeningRounds; ++round) {
+    std::vector<double> ties = FindOpenings(run);
+    if (tie_count(ties) == tie_count(run.tie_lengths)) break;
+    TieSeams(run, std::move(ties));
+    FR_ASSIGN_OR_RETURN(const ClothModel opened, ClothModel::Create(run.mesh, run.options.material, ClosedSeams(run)));
+    FR_RETURN_IF_ERROR(HangingGarment(run, opened).HangOpen());
+  }
+  run.report.openings = MeasureOpenings(run);
+  if (!run.tie_lengths.empty() && run.report.openings.empty() && was_sewn) {
+    run.positions = sewn_positions;
+    run.report = sewn_report;
+    run.open_seams = sewn_open;
+    run.tie_lengths.clear();
+  }
+  return Status();
+}
+
 }  // namespace
 
 Status HangGarment(DrapeRun& run) {
   FR_ASSIGN_OR_RETURN(const ClothModel model, ClothModel::Create(run.mesh, run.options.material, ClosedSeams(run)));
-  return HangingGarment(run, model).Hang();
+  FR_RETURN_IF_ERROR(HangingGarment(run, model).Hang());
+  return OpenSeams(run);
 }
 
 Status SettleGarment(DrapeRun& run) {
+  if (!run.open_seams.empty() && run.options.limit_strain > 0.0) {
+    run.hoops = FindHoops(run.mesh);
+    TieSeams(run, FindOpenings(run));
+  }
   FR_ASSIGN_OR_RETURN(const ClothModel model, ClothModel::Create(run.mesh, run.options.material, ClosedSeams(run)));
-  return HangingGarment(run, model).Settle();
+  FR_RETURN_IF_ERROR(HangingGarment(run, model).Settle());
+  return OpenSeams(run);
 }
 
 }  // namespace fitroom

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
+#include "fit_client/fit/solver/drape_hoops.h"
 #include "fit_client/fit/solver/drape_measures.h"
+#include "fit_client/fit/solver/drape_opening.h"
 
 namespace fitroom {
 namespace {
@@ -77,10 +80,41 @@ double Mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-void DescribeGaps(const std::vector<double>& gaps, DrapeRun& run) {
-  for (size_t index = 0; index < gaps.size(); ++index) {
-    if (gaps[index] > run.options.closed_gap) run.open_seams.push_back(run.mesh.seams[index]);
+bool IsTied(const DrapeRun& run, size_t pair) { return !run.tie_lengths.empty() && run.tie_lengths[pair] > 0.0; }
+
+// The gaps of the pairs that are to close.
+std::vector<double> GapsToClose(const DrapeRun& run) {
+  std::vector<double> gaps = run.SeamGaps();
+  for (size_t pair = 0; pair < gaps.size(); ++pair) {
+    if (IsTied(run, pair)) gaps[pair] = 0.0;
   }
+  return gaps;
+}
+
+std::vector<SeamPair> PairsToClose(const DrapeRun& run) {
+  std::vector<SeamPair> pairs;
+  for (size_t pair = 0; pair < run.mesh.seams.size(); ++pair) {
+    if (!IsTied(run, pair)) pairs.push_back(run.mesh.seams[pair]);
+  }
+  return pairs;
+}
+
+// No pull closes the seams: where girth is missing, one of them gives way to the others. Returns whether any does.
+bool GiveWay(DrapeRun& run) {
+  if (!(run.options.limit_strain > 0.0) || !run.tie_lengths.empty()) return false;
+  run.hoops = FindHoops(run.mesh);
+  std::vector<double> ties = FindOpenings(run);
+  if (std::none_of(ties.begin(), ties.end(), [](double tie) { return tie > 0.0; })) return false;
+  run.tie_lengths = std::move(ties);
+  return true;
+}
+
+void DescribeGaps(DrapeRun& run) {
+  const std::vector<double> to_close = GapsToClose(run);
+  for (size_t index = 0; index < to_close.size(); ++index) {
+    if (to_close[index] > run.options.closed_gap) run.open_seams.push_back(run.mesh.seams[index]);
+  }
+  const std::vector<double> gaps = run.SeamGaps();
   run.report.open_seam_count = static_cast<int>(run.open_seams.size());
   if (gaps.empty()) return;
   run.report.seam_gap_mean = Mean(gaps);
@@ -110,29 +144,31 @@ Status MergeSeams(DrapeRun& run) {
       best = largest + mean;
       looks_since_progress = 0;
     } else if (++looks_since_progress >= kPatience) {
-      if (strength >= kStrongestPull) break;
-      strength *= 2.0;
+      if (strength >= kStrongestPull && !GiveWay(run)) break;
+      strength = strength >= kStrongestPull ? 1.0 : 2.0 * strength;
       looks_since_progress = 0;
     }
     SetApproachWind(run, model, panels, mean, state);
-    solver.Advance(state, kCheckInterval, run.MakePulls(model, run.mesh.seams), strength * run.options.closing_speed);
+    solver.Advance(state, kCheckInterval, run.MakePullsAndTies(model, PairsToClose(run)),
+                   strength * run.options.closing_speed);
     run.report.merging_substeps += kCheckInterval;
     run.substep += kCheckInterval;
     FR_RETURN_IF_ERROR(run.CheckFinite(state));
     run.TakePositions(model, state);
-    gaps = run.SeamGaps();
+    if (!run.tie_lengths.empty()) AdjustTies(run, /*may_shorten=*/true);
+    gaps = GapsToClose(run);
     if (run.report.merging_substeps % (kCheckInterval * 4) == 0) {
       solver.RaiseOffsets(state, run.options.sample_clearance);
       run.Observe(DrapeStage::kMerging, 0.3 * run.report.merging_substeps / run.options.merging_substep_limit);
     }
   }
-  DescribeGaps(gaps, run);
+  DescribeGaps(run);
   return Status();
 }
 
 void TakeSeams(DrapeRun& run) {
   run.report.seam_pair_count = static_cast<int>(run.mesh.seams.size());
-  DescribeGaps(run.SeamGaps(), run);
+  DescribeGaps(run);
 }
 
 }  // namespace fitroom

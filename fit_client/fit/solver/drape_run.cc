@@ -58,6 +58,19 @@ std::vector<SeamPull> DrapeRun::MakePulls(const ClothModel& model, std::span<con
   return pulls;
 }
 
+std::vector<SeamPull> DrapeRun::MakePullsAndTies(const ClothModel& model, std::span<const SeamPair> pairs) const {
+  std::vector<SeamPull> pulls = MakePulls(model, pairs);
+  for (size_t index = 0; index < tie_lengths.size(); ++index) {
+    if (tie_lengths[index] <= 0.0) continue;
+    for (SeamPull tie : MakePulls(model, std::span(mesh.seams).subspan(index, 1))) {
+      tie.around_body = false;  // A rigid tie is shorter than any way round.
+      tie.tie_length = static_cast<float>(tie_lengths[index]);
+      pulls.push_back(tie);
+    }
+  }
+  return pulls;
+}
+
 Status DrapeRun::CheckFinite(const ClothState& state) const {
   for (const Float4& position : state.positions) {
     if (!std::isfinite(position.x + position.y + position.z)) {

@@ -12,6 +12,7 @@
 #include "fit_client/fit/solver/cloth_model.h"
 #include "fit_client/fit/solver/cloth_solver.h"
 #include "fit_client/fit/solver/drape.h"
+#include "fit_client/fit/solver/drape_hoops.h"
 
 namespace fitroom {
 
@@ -27,6 +28,9 @@ struct DrapeRun {
   std::vector<SeamPair> open_seams;        // That did not close while merging.
   int substep = 0;                         // Since the start.
   DrapeReport report;
+  std::vector<Attachment> belt;     // Vertices that are held, once a belt is laid, in order round the waist's edge.
+  std::vector<GarmentHoop> hoops;   // Once somebody asks whether a seam gives way.
+  std::vector<double> tie_lengths;  // One a seam pair; 0: sewn, or drawn together. Empty: no seam gives way.
 
   void Observe(DrapeStage stage, double progress) const {
     if (observer) observer({stage, substep, progress, positions});
@@ -39,6 +43,8 @@ struct DrapeRun {
   std::vector<double> SeamGaps() const;
   // Returns the pulls that draw the pairs together; round the body where the straight way leads through it.
   std::vector<SeamPull> MakePulls(const ClothModel& model, std::span<const SeamPair> pairs) const;
+  // Returns the pulls that draw the pairs together, and the ties of seams that give way.
+  std::vector<SeamPull> MakePullsAndTies(const ClothModel& model, std::span<const SeamPair> pairs) const;
   // INTERNAL (CLOTH_STATE_NOT_FINITE) where a number of the state is not finite.
   Status CheckFinite(const ClothState& state) const;
 };

@@ -70,6 +70,63 @@ TEST(Drape, ATightTubeIsStretchedByTheColumnsGirth) {
   EXPECT_EQ(result->report.particles_inside + result->report.samples_inside, 0);
 }
 
+// The angle between the two sides of a seam pair about the column's axis, times the radius: the gap that one sees.
+double ArcBetween(const std::vector<Eigen::Vector3d>& places, const SeamPair& pair, double radius) {
+  const Eigen::Vector3d& a = places[static_cast<size_t>(pair.a)];
+  const Eigen::Vector3d& b = places[static_cast<size_t>(pair.b)];
+  const double angle = std::atan2(a.x() * b.z() - a.z() * b.x(), a.x() * b.x() + a.z() * b.z());
+  return std::abs(angle) * radius;
+}
+
+// A tube of girth R whose fabric gives s round a column of girth G lacks G - R (1 + s), and gapes by as much: the
+// column's girth is known without any cloth.
+TEST(Drape, ATubeThatItsFabricCannotCloseGapesByTheGirthThatIsMissing) {
+  constexpr double kRadius = 0.06;  // Of the column's offset surface; its girth is 37.7 cm.
+  DrapeOptions options;
+  options.gravity.setZero();
+  options.material.stretch_stiffness = 200.0;
+  const SignedDistanceField body = MakeColumn(kRadius - options.contact_offset);
+  SerialExecutor serial;
+  for (const double limit : {0.1, 0.2}) {
+    for (const double missing : {0.03, 0.08}) {
+      const double width = 0.5 * (2.0 * M_PI * kRadius - missing) / (1.0 + limit);
+      const ClothMesh tube = testing::MakeTube(width, 0.12, 16, 12, 0.1);
+      options.limit_strain = limit;
+      const Result<DrapeResult> result = Drape(tube, tube.rest_positions, body, options, serial, {});
+      ASSERT_TRUE(result.ok()) << result.status().ToString();
+      const DrapeReport& report = result->report;
+      EXPECT_EQ(report.outcome, DrapeOutcome::kSeamsOpen);
+      ASSERT_EQ(report.openings.size(), 1U) << report.finishing_reason;
+      EXPECT_NEAR(report.openings[0].lacking_girth, missing, 0.006) << report.finishing_reason;
+      double widest = 0.0;
+      for (const SeamPair& pair : tube.seams) {
+        widest = std::max(widest, ArcBetween(result->positions, pair, kRadius));
+      }
+      EXPECT_NEAR(widest, missing, 0.01) << "limit " << limit;
+      EXPECT_NEAR(report.openings[0].gap, widest, 0.006);
+      EXPECT_NEAR(report.openings[0].seam_length, 0.12, 0.011);
+      EXPECT_LT(report.strain_max, 1.0);
+      EXPECT_EQ(report.particles_inside + report.samples_inside, 0);
+    }
+  }
+}
+
+// What closes within its fabric's limit is the same to the last bit as if seams held everything.
+TEST(Drape, ASeamThatHoldsChangesNothing) {
+  const ClothMesh tube = testing::MakeTube(0.16, 0.1, 16, 10, 0.1);  // Stretched by 8 %.
+  DrapeOptions options;
+  options.gravity.setZero();
+  options.material.stretch_stiffness = 100.0;
+  const SignedDistanceField body = MakeColumn(0.052);
+  SerialExecutor serial;
+  const Result<DrapeResult> unbreakable = Drape(tube, tube.rest_positions, body, options, serial, {});
+  options.limit_strain = 0.1;
+  const Result<DrapeResult> sewn = Drape(tube, tube.rest_positions, body, options, serial, {});
+  ASSERT_TRUE(unbreakable.ok() && sewn.ok());
+  EXPECT_EQ(sewn->report.outcome, DrapeOutcome::kAtRest);
+  EXPECT_EQ(sewn->positions, unbreakable->positions);
+}
+
 TEST(Drape, AGarmentThatIsFarTooSmallEndsWithThatOutcome) {
   const ClothMesh tube = testing::MakeTube(0.1, 0.08, 10, 8, 0.1);  // 20 cm of cloth round 50 cm of body.
   const SignedDistanceField body = MakeColumn(0.08);
