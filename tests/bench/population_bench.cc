@@ -1,7 +1,7 @@
 // Dresses a population: every body in every outfit, each garment in the size of its chart that the body's primary
 // dimension names, or so many steps smaller or larger. Prints a line a garment and a table an outfit.
 //   population_bench --bodies FOLDER --garments FOLDER [--every N] [--step N] [--outfit NAME[+NAME]]... [--pitch-cm
-//   P]... [--threads N]
+//   P]... [--threads N] [--check]
 // FOLDER of garments: one folder a garment, as `shop_catalog extract` makes it, named as in the outfits.
 
 #include <algorithm>
@@ -34,6 +34,7 @@ struct Flags {
   std::vector<double> pitches_cm = {1.0};
   bool no_self_collision = false;
   bool one_mesh = false;
+  bool check = false;
 };
 
 // What came out of one garment of one outfit on one body.
@@ -222,6 +223,12 @@ void PrintAgreement(const std::vector<Row>& rows, const Flags& flags) {
   std::printf("largest difference %.1f mm\n", largest * 1e3);
 }
 
+// What a fit in the right size has to be; in another size it has to end with a stated outcome, whole and outside.
+bool IsAsPromised(const Row& row, const Flags& flags) {
+  if (!row.stated || row.torn || row.deepest > 1e-4) return false;
+  return flags.step != 0 || (row.finished && row.seam_max <= 5e-4);
+}
+
 int Run(const Flags& flags) {
   std::map<std::string, GarmentInput> wardrobe;
   for (const std::string& outfit : flags.outfits) {
@@ -282,7 +289,9 @@ int Run(const Flags& flags) {
   for (std::thread& thread : threads) thread.join();
   PrintSummary(all, flags);
   if (flags.pitches_cm.size() > 1) PrintAgreement(all, flags);
-  return 0;
+  const auto failed = std::count_if(all.begin(), all.end(), [&](const Row& row) { return !IsAsPromised(row, flags); });
+  std::printf("\n%zu garments, %td not as promised\n", all.size(), failed);
+  return flags.check && failed > 0 ? 1 : 0;
 }
 
 }  // namespace
@@ -301,6 +310,8 @@ int main(int argc, char** argv) {
                  "Edge length of the cloth meshes; several times: compares their girths");
   app.add_flag("--one-mesh", flags.one_mesh, "Dress fine meshes without coarser ones first");
   app.add_flag("--no-self-collision", flags.no_self_collision, "Let cloth pass through itself");
+  app.add_flag("--check", flags.check,
+               "Fail where a fit is not as promised: finished, outside the body, closed, whole");
   CLI11_PARSE(app, argc, argv);
   return fitroom::Run(flags);
 }
