@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -47,6 +48,10 @@ class SignedDistanceField {
   // together, and negative inside of either. The region stays this field's own.
   void Unite(SignedDistanceField other) { united_.push_back(std::move(other)); }
 
+  // Lays a level floor that nothing can fall through: from now on the distance is at most the height above it, and
+  // negative below (unit: metre, along y).
+  void LayFloor(double height) { floor_ = height; }
+
   // Returns the interpolated signed distance at `point`.
   double Distance(const Eigen::Vector3d& point) const { return Query(point).distance; }
   // Returns the interpolated signed distance at `point` and its gradient.
@@ -56,12 +61,13 @@ class SignedDistanceField {
       const Sample sample = other.Query(point);
       if (sample.distance < nearest.distance) nearest = sample;
     }
+    if (point.y() - floor_ < nearest.distance) nearest = {point.y() - floor_, Eigen::Vector3d::UnitY()};
     return nearest;
   }
   // Returns the distance from the triangles themselves where `point` is within about 5 mm of the surface, and the
   // interpolated distance elsewhere.
   double ExactDistance(const Eigen::Vector3d& point) const {
-    double nearest = ExactDistanceAlone(point);
+    double nearest = std::min(ExactDistanceAlone(point), point.y() - floor_);
     for (const SignedDistanceField& other : united_) nearest = std::min(nearest, other.ExactDistance(point));
     return nearest;
   }
@@ -112,6 +118,7 @@ class SignedDistanceField {
   std::vector<uint32_t> brick_triangles_;
 
   std::vector<SignedDistanceField> united_;
+  double floor_ = -std::numeric_limits<double>::infinity();
 };
 
 }  // namespace fitroom

@@ -1,6 +1,7 @@
 #include "fit_client/fit/stages/worn_layers.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -61,6 +62,9 @@ Result<SignedDistanceField> BuildDressedField(const TriangleMesh& collider, std:
     FR_ASSIGN_OR_RETURN(SignedDistanceField over, SignedDistanceField::Build(layer.surface, options, executor));
     field.Unite(std::move(over));
   }
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3d& vertex : collider.vertices) lowest = std::min(lowest, vertex.y());
+  field.LayFloor(lowest);
   return field;
 }
 

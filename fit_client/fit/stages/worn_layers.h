@@ -31,8 +31,8 @@ Result<WornGarment> MakeWornGarment(GarmentKind kind, const ClothMesh& cloth,
 // (LAYER_ORDER) with a remedy for what nobody can wear.
 Status CheckLayerOrder(GarmentKind kind, std::span<const WornGarment> layers);
 
-// Builds the distance to the body and all layers together, anew, at `pitch` in `reach`. Fails like
-// SignedDistanceField::Build().
+// Builds the distance to the body, all layers and the floor under the soles together, anew, at `pitch` in `reach`.
+// Fails like SignedDistanceField::Build().
 Result<SignedDistanceField> BuildDressedField(const TriangleMesh& collider, std::span<const WornGarment> layers,
                                               const Eigen::AlignedBox3d& reach, double pitch, Executor& executor);
 

@@ -69,6 +69,25 @@ TEST(SignedDistanceField, OfATorusKnowsItsHoleFromItsTube) {
   }
 }
 
+TEST(SignedDistanceField, AFloorIsTheNearerOfBodyAndPlane) {
+  const double radius = 0.1, floor = -0.06;
+  SignedDistanceField field = BuildField(testing::MakeSphere(Eigen::Vector3d::Zero(), radius, 5));
+  field.LayFloor(floor);
+  std::mt19937 random(13);
+  std::uniform_real_distribution<double> coordinate(-0.13, 0.13);
+  for (int index = 0; index < 2000; ++index) {
+    const Eigen::Vector3d point(coordinate(random), coordinate(random), coordinate(random));
+    const double to_sphere = point.norm() - radius, to_floor = point.y() - floor;
+    const double expected = std::min(to_sphere, to_floor);
+    if (std::abs(expected) > 0.004 || std::abs(to_sphere - to_floor) < 1e-3) continue;
+    const SignedDistanceField::Sample sample = field.Query(point);
+    EXPECT_NEAR(sample.distance, expected, 3e-4) << point.transpose();
+    EXPECT_NEAR(field.ExactDistance(point), expected, 1e-4) << point.transpose();
+    const Eigen::Vector3d away = to_floor < to_sphere ? Eigen::Vector3d::UnitY() : point.normalized();
+    EXPECT_GT(sample.gradient.normalized().dot(away), 0.995) << point.transpose();
+  }
+}
+
 TEST(SignedDistanceField, IsTheSameForAnyThreadCount) {
   const TriangleMesh body = testing::MakeTorus(0.1, 0.03, 60, 24);
   const SignedDistanceField serial = BuildField(body);
