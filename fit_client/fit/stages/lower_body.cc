@@ -14,6 +14,9 @@ namespace {
 
 using Eigen::Vector2d;
 
+// A bottom's waist is worn no higher than this part of the way from the hip's height to the bust's: the narrowest place
+// of a body without much of a waist lies right under the bust.
+constexpr double kHighestWaist = 0.70;
 constexpr double kFarthestFromTrunk = 0.12;  // Of a loop's middle from the trunk's, if it belongs to it (unit: metre).
 constexpr double kLeastArea = 4e-4;          // Of an outline of the lower body (unit: square metre).
 
@@ -56,6 +59,10 @@ Result<LowerBody> LowerBody::Cut(const Body& body, const TriangleMesh& collider,
   lower.groin_ = body.landmarks[BodyLandmark::kCrotch].position;
   lower.waist_height_ = body.measurements.waist.height;
   lower.hip_height_ = body.measurements.hip.height;
+  if (body.measurements.bust.girth > 0.0) {
+    const double highest = std::lerp(lower.hip_height_, body.measurements.bust.height, kHighestWaist);
+    lower.waist_height_ = std::min(lower.waist_height_, std::max(highest, lower.hip_height_));
+  }
   constexpr int kSlabs = 256;
   const HeightIndex index(collider, kSlabs);
   FR_ASSIGN_OR_RETURN(const BodySlices slices, SliceBody(index));

@@ -33,6 +33,7 @@ class LowerBody {
   // The level nearest to a height.
   const Level& At(double height) const;
   const Eigen::Vector3d& groin() const { return groin_; }
+  // Where a bottom is worn by its waist: the body's, or lower where that lies right under the bust.
   double waist_height() const { return waist_height_; }
   double hip_height() const { return hip_height_; }
   double highest() const { return kStep * static_cast<double>(levels_.size() - 1); }
