@@ -126,6 +126,21 @@ void DescribeOutcome(const Dressing& dressed, bool is_bottom, const DrapeOptions
                          drape.belting_substeps + drape.draping_substeps;
 }
 
+void DescribeTuck(const DrapeReport& tucked, FitReport& report) {
+  report.finished = report.finished && tucked.outcome == DrapeOutcome::kAtRest;
+  if (tucked.outcome != DrapeOutcome::kAtRest && report.finishing_reason == "AT_REST") {
+    report.finishing_reason = "STEP_LIMIT";
+    report.finishing_text = tucked.finishing_reason;
+  }
+  const int substeps = tucked.belting_substeps + tucked.draping_substeps;
+  report.stages.push_back({"tucked in", std::string(DrapeOutcomeName(tucked.outcome)), substeps});
+  report.penetration = {tucked.particles_inside, report.penetration.triangle_sample_count, tucked.samples_inside,
+                        tucked.deepest_penetration};
+  report.self_crossing_count = tucked.self_crossing_count;
+  report.strain = {tucked.strain_p50, tucked.strain_p95, tucked.strain_p99, tucked.strain_max};
+  report.substep_count += substeps;
+}
+
 void DescribeEase(const BodyMeasurements& girths, const TriangleMesh& body_surface, FittedGarment& worn) {
   worn.report.ease = {MeasureEase("bust", girths.bust, body_surface, worn),
                       MeasureEase("waist", girths.waist, body_surface, worn),

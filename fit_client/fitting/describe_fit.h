@@ -13,6 +13,9 @@ void DescribeInputs(const BodyInput& body, const Garment& garment, const CutGarm
 // Writes down how dressing ended: reason, stages, residuals, seams, penetration, strain, warnings.
 void DescribeOutcome(const Dressing& dressed, bool is_bottom, const DrapeOptions& options, FitReport& report);
 
+// Writes down how a worn top was tucked in (TuckIn): the state in which it is drawn.
+void DescribeTuck(const DrapeReport& tucked, FitReport& report);
+
 // Measures the ease of the worn garment at bust, waist and hip. `body_surface` is the body without holes.
 void DescribeEase(const BodyMeasurements& girths, const TriangleMesh& body_surface, FittedGarment& worn);
 

@@ -1,8 +1,11 @@
 #include "fit_client/fitting/fit_outfit.h"
 
+#include <span>
 #include <utility>
 
 #include "fit_client/fit/collision/body_repair.h"
+#include "fit_client/fit/stages/press_under.h"
+#include "fit_client/fit/stages/tuck_in.h"
 #include "fit_client/fitting/describe_fit.h"
 #include "fit_client/fitting/dress_by_profile.h"
 #include "fit_client/fitting/judge_fit.h"
@@ -37,6 +40,41 @@ void ListLayers(Outfit& outfit) {
   for (FittedGarment& worn : outfit.garments) worn.report.layers = layers;
 }
 
+// Tucks the tops that are worn already into the bottom that comes next, and closes them anew.
+Status TuckInTops(const BodyInput& body, const CutGarment& bottom, const FitOptions& options, Executor& executor,
+                  Outfit& outfit, std::vector<WornGarment>& worn_already) {
+  for (size_t i = 0; i < outfit.garments.size(); ++i) {
+    FittedGarment& worn = outfit.garments[i];
+    if (worn.cut.kind != GarmentKind::kTShirt && worn.cut.kind != GarmentKind::kLongSleeve) continue;
+    const DressedBody wearer{body.body, outfit.body_surface, std::span(worn_already).first(i)};
+    DressingOptions tucking = options.dressing;
+    tucking.drape.material = DrapeMaterial(FabricOf(worn.input->garment));
+    FR_ASSIGN_OR_RETURN(DrapeResult tucked,
+                        TuckIn(worn.cut.cloth, worn.stages.final, bottom.cloth, wearer, tucking, executor));
+    worn.stages.final = std::move(tucked.positions);
+    DescribeTuck(tucked.report, worn.report);
+    FR_ASSIGN_OR_RETURN(worn_already[i], MakeWornGarment(worn.cut.kind, worn.cut.cloth, worn.stages.final));
+  }
+  return Status();
+}
+
+// Presses what yields under the garment that has just been put on over it, from the outermost inwards.
+Status PressWorn(const BodyInput& body, const FittedGarment& over, const FitOptions& options, Executor& executor,
+                 Outfit& outfit, std::vector<WornGarment>& worn_already) {
+  const FittedGarment* outer = &over;
+  for (size_t i = outfit.garments.size(); i-- > 0;) {
+    FittedGarment& worn = outfit.garments[i];
+    if (!YieldsToWhatIsOver(worn.cut.kind)) continue;
+    const DressedBody wearer{body.body, outfit.body_surface, std::span(worn_already).first(i)};
+    FR_ASSIGN_OR_RETURN(worn.stages.final,
+                        PressUnder({worn.cut.cloth, worn.stages.final}, {outer->cut.cloth, outer->stages.final}, wearer,
+                                   options.dressing.field_pitch, executor));
+    FR_ASSIGN_OR_RETURN(worn_already[i], MakeWornGarment(worn.cut.kind, worn.cut.cloth, worn.stages.final));
+    outer = &worn;
+  }
+  return Status();
+}
+
 }  // namespace
 
 Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers, const FitOptions& options,
@@ -68,6 +106,13 @@ Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers
     worn.report.profile = options.profile == FitProfile::kPaper ? "paper" : "standard";
     stopwatch.Lap("panels");
 
+    if (!worn_already.empty()) {
+      FR_RETURN_IF_ERROR(CheckLayerOrder(garment.kind, worn_already).At(garment.id));
+    }
+    if (IsBottom(garment.kind) && !worn_already.empty()) {
+      FR_RETURN_IF_ERROR(TuckInTops(body, worn.cut, options, executor, outfit, worn_already).At(garment.id));
+      stopwatch.Lap("tucking in");
+    }
     const auto dressing = [&](double done) { report_progress("dressing", begin + share * (0.05 + 0.95 * done)); };
     DressingOptions dressing_options = options.dressing;
     dressing_options.drape.material = DrapeMaterial(FabricOf(garment));
@@ -77,6 +122,10 @@ Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers
     if (!dressed.ok()) return dressed.status().At(garment.id);
     worn.stages = std::move(dressed->stages);
     stopwatch.Lap("dressing");
+    if (!IsBottom(garment.kind) && !worn_already.empty()) {
+      FR_RETURN_IF_ERROR(PressWorn(body, worn, options, executor, outfit, worn_already).At(garment.id));
+      stopwatch.Lap("pressing what is below");
+    }
 
     DescribeOutcome(*dressed, IsBottom(garment.kind), options.dressing.drape, worn.report);
     DescribeEase(body.body.measurements, outfit.body_surface, worn);

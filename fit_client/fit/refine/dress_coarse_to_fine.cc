@@ -59,6 +59,7 @@ Result<Dressing> Refine(const ClothMesh& coarse, const Dressing& worn, const Clo
   result.field = worn.field;
   result.shoulder_points = worn.shoulder_points;
   result.shoulder_point_count = worn.shoulder_point_count;
+  result.yielding_below = worn.yielding_below;
   result.bottom = worn.bottom;
   result.stages.start = CarryOver(places, worn.stages.start);
   result.stages.merging = CarryOver(places, worn.stages.merging);
@@ -69,6 +70,8 @@ Result<Dressing> Refine(const ClothMesh& coarse, const Dressing& worn, const Clo
   CloseSeams(fine, positions);
 
   DrapeOptions drape = options.drape;
+  drape.contact_offset += worn.yielding_below;
+  drape.touching_distance += worn.yielding_below;
   drape.touching_vertices = FindNamed(fine, worn.shoulder_points);
   if (worn.bottom) {
     FR_ASSIGN_OR_RETURN(const BottomOutline outline, FindBottomOutline(fine));

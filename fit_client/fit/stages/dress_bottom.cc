@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "fit_client/fit/stages/push_out.h"
+
 namespace fitroom {
 namespace {
 
@@ -13,7 +15,6 @@ constexpr double kLeastToSay = 0.005;     // Differences of waist and rise below
 constexpr double kWaistReached = 0.004;   // A waist this far below its height is there (unit: metre).
 constexpr double kWholeSkirt = 1e3;       // (unit: metre)
 constexpr double kBeltClearance = 0.001;  // From the contact offset to the belt (unit: metre).
-constexpr double kPushOutLimit = 0.03;    // A start place is moved out of the body by no more (unit: metre).
 
 // Where the cloth can get to: round the start, and lower, because it falls.
 Eigen::AlignedBox3d ReachOf(const std::vector<Eigen::Vector3d>& places) {
@@ -22,21 +23,6 @@ Eigen::AlignedBox3d ReachOf(const std::vector<Eigen::Vector3d>& places) {
   reach.min() -= Eigen::Vector3d(0.06, 0.12, 0.06);
   reach.max() += Eigen::Vector3d(0.06, 0.06, 0.06);
   return reach;
-}
-
-// Start places near the crotch and beside hands may lie in the body: they go out along the distance's gradient.
-void PushOut(const SignedDistanceField& field, double clearance, std::vector<Eigen::Vector3d>& places) {
-  constexpr int kSteps = 8;
-  for (Eigen::Vector3d& place : places) {
-    const Eigen::Vector3d before = place;
-    for (int step = 0; step < kSteps; ++step) {
-      const SignedDistanceField::Sample sample = field.Query(place);
-      const double length = sample.gradient.norm();
-      if (sample.distance >= clearance || length < 0.1) break;
-      place += sample.gradient / length * std::min(clearance - sample.distance + 1e-4, 0.01);
-    }
-    if ((place - before).norm() > kPushOutLimit) place = before + (place - before).normalized() * kPushOutLimit;
-  }
 }
 
 std::vector<int> WaistVertices(const BottomOutline& outline) {
@@ -83,6 +69,7 @@ Result<Dressing> DressBottom(const ClothMesh& cloth, const DressedBody& wearer, 
   FR_ASSIGN_OR_RETURN(BottomPose pose, PlaceBottom(cloth, outline, lower, options.bottom_pose));
   FR_ASSIGN_OR_RETURN(SignedDistanceField field, BuildDressedField(wearer.collider, wearer.layers, ReachOf(pose.around),
                                                                    options.field_pitch, executor));
+  // Start places near the crotch and beside hands may lie in the body.
   PushOut(field, options.drape.contact_offset, pose.around);
 
   Dressing result;

@@ -4,11 +4,17 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include "fit_client/fit/stages/press_under.h"
 
 namespace fitroom {
 namespace {
 
 constexpr double kMergingPicture = 0.45;  // How far the panels have come in the picture of the merging, 0 to 1.
+
+// A worn top or one-piece takes so much room below another top, which presses it to the body (unit: metre).
+constexpr double kYieldingThickness = 0.0025;
 
 // Where the cloth can get to: round the start pose, and lower, because it falls.
 Eigen::AlignedBox3d ReachOf(const StartPose& pose) {
@@ -40,9 +46,9 @@ std::vector<int> ShoulderPoints(const ClothMesh& cloth, const Body& body, const 
 }
 
 // Body and layers as one mesh, to be looked at.
-TriangleMesh Together(const DressedBody& wearer) {
-  TriangleMesh all = wearer.collider;
-  for (const WornGarment& layer : wearer.layers) {
+TriangleMesh Together(const TriangleMesh& collider, const std::vector<WornGarment>& layers) {
+  TriangleMesh all = collider;
+  for (const WornGarment& layer : layers) {
     const int first = static_cast<int>(all.vertices.size());
     all.vertices.insert(all.vertices.end(), layer.surface.vertices.begin(), layer.surface.vertices.end());
     for (const Eigen::Vector3i& triangle : layer.surface.triangles) {
@@ -57,16 +63,26 @@ TriangleMesh Together(const DressedBody& wearer) {
 Result<Dressing> DressTop(const ClothMesh& cloth, GarmentKind kind, const DressedBody& wearer,
                           const DressingOptions& options, Executor& executor,
                           const std::function<void(double done)>& progress) {
-  FR_ASSIGN_OR_RETURN(
-      const StartPose pose,
-      PlaceTop(cloth, kind, wearer.body, wearer.layers.empty() ? wearer.collider : Together(wearer), options.top_pose));
+  std::vector<WornGarment> firm;
+  for (const WornGarment& layer : wearer.layers) {
+    if (!YieldsToWhatIsOver(layer.kind)) firm.push_back(layer);
+  }
+  const double below = kYieldingThickness * static_cast<double>(wearer.layers.size() - firm.size());
+  StartPoseOptions pose_options = options.top_pose;
+  pose_options.clearance += below;
+  FR_ASSIGN_OR_RETURN(const StartPose pose,
+                      PlaceTop(cloth, kind, wearer.body,
+                               firm.empty() ? wearer.collider : Together(wearer.collider, firm), pose_options));
   FR_ASSIGN_OR_RETURN(SignedDistanceField field,
-                      BuildDressedField(wearer.collider, wearer.layers, ReachOf(pose), options.field_pitch, executor));
+                      BuildDressedField(wearer.collider, firm, ReachOf(pose), options.field_pitch, executor));
   Dressing result;
   result.field = std::make_shared<const SignedDistanceField>(std::move(field));
   result.stages.start = pose.apart;
   result.stages.merging = Between(pose.apart, pose.around, kMergingPicture);
   DrapeOptions drape_options = options.drape;
+  result.yielding_below = below;
+  drape_options.contact_offset += below;
+  drape_options.touching_distance += below;
   drape_options.touching_vertices = ShoulderPoints(cloth, wearer.body, pose);
   result.shoulder_point_count = static_cast<int>(drape_options.touching_vertices.size());
   for (const NamedParticle& named : cloth.named_particles) {

@@ -68,6 +68,7 @@ struct Dressing {
   int shoulder_point_count = 0;              // Tops: that condition (6) looked at; none where all dropped to the arms.
   std::vector<std::string> shoulder_points;  // Their names.
   std::shared_ptr<const SignedDistanceField> field;  // What it was draped on: body and layers, around the garment.
+  double yielding_below = 0.0;  // Room for worn tops that are not in the field because they yield (unit: metre).
   std::optional<BottomOutcome> bottom;
 };
 

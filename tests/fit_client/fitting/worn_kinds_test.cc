@@ -13,6 +13,7 @@
 #include "fit_client/fit/panels/topology.h"
 #include "fit_client/fit/refine/dress_coarse_to_fine.h"
 #include "fit_client/fit/stages/dress_garment.h"
+#include "fit_client/fit/stages/tuck_in.h"
 #include "fit_client/fitting/cut_garment.h"
 #include "fit_client/fitting/fit_inputs.h"
 #include "tests/fit_client/fitting/winding_number.h"
@@ -163,6 +164,36 @@ TEST(WornKinds, AnAssumedForkIsWornAndNotMeasured) {
   }
   ASSERT_FALSE(assumed.notes.empty());
   EXPECT_NE(assumed.notes.front().find("thigh_width"), std::string::npos) << assumed.notes.front();
+}
+
+// S42: before a bottom is put on over it, a shirt is tucked in: close to the body below the waistband, its hem above
+// the crotch, and the trousers end outside of it.
+TEST(WornKinds, AShirtIsTuckedIntoTrousersThatArePutOnOverIt) {
+  FR_REQUIRE_TEST_DATA();
+  const Wearer wearer("p002");
+  ThreadPool executor(2);
+  const ClothMesh shirt = Cut(GarmentKind::kTShirt, testing::DrawKind(GarmentKind::kTShirt));
+  const ClothMesh trousers = Cut(GarmentKind::kPants, testing::DrawKind(GarmentKind::kPants));
+  const Dressing worn = wearer.PutOn(GarmentKind::kTShirt, shirt, {}, executor).value();
+  const Result<DrapeResult> tucked =
+      TuckIn(shirt, worn.stages.final, trousers, {wearer.scan.body, wearer.collider, {}}, DressingOptions(), executor);
+  ASSERT_TRUE(tucked.ok()) << tucked.status().ToString();
+  EXPECT_EQ(tucked->report.outcome, DrapeOutcome::kAtRest);
+  EXPECT_EQ(CountInside(wearer.scan.body.mesh, tucked->positions), 0);
+  const double groin = wearer.scan.body.landmarks[BodyLandmark::kCrotch].position.y();
+  for (const Eigen::Vector3d& place : tucked->positions) EXPECT_GT(place.y(), groin);
+  const std::vector<WornGarment> layers = {MakeWornGarment(GarmentKind::kTShirt, shirt, tucked->positions).value()};
+  const Result<Dressing> over = wearer.PutOn(GarmentKind::kPants, trousers, layers, executor);
+  ASSERT_TRUE(over.ok()) << over.status().ToString();
+  EXPECT_EQ(over->report.outcome, DrapeOutcome::kAtRest) << over->report.finishing_reason;
+  EXPECT_EQ(CountInside(layers[0].surface, over->stages.final), 0);
+  // Nothing of the shirt looks out below the waistband.
+  const TriangleMesh outside = MakeWornGarment(GarmentKind::kPants, trousers, over->stages.final)->surface;
+  for (size_t i = 0; i < tucked->positions.size(); i += 7) {
+    const Eigen::Vector3d& place = tucked->positions[i];
+    if (place.y() >= over->bottom->belt.height - 0.04) continue;
+    EXPECT_GT(testing::WindingNumber(outside, place), 0.5) << i;
+  }
 }
 
 TEST(WornKinds, OneThreadAndTwoGiveTheSameBytes) {
