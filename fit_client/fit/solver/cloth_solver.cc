@@ -11,6 +11,8 @@ namespace fitroom {
 namespace {
 
 constexpr float kTiny = 1e-12F;
+constexpr double kOpposite = -0.5;       // Cosine: normals of two parts of the body that face each other.
+constexpr double kLeastOffset = 0.0005;  // From the body, where it leaves no room (unit: metre).
 
 __m128 Load(const Float4& value) { return _mm_load_ps(&value.x); }
 void Store(Float4& target, __m128 value) { _mm_store_ps(&target.x, value); }
@@ -283,6 +285,17 @@ void ClothSolver::LookAtBody(ClothState& state, size_t particle) const {
   const double length = sample.gradient.norm();
   const Eigen::Vector3d normal = length > 1e-6 ? (sample.gradient / length).eval() : Eigen::Vector3d::UnitY();
   ContactPlane& contact = state.contacts[particle];
+  // Between arm and trunk one side pushes a particle to the other, which pushes it back: where there is no room for the
+  // offset on both sides, it stays in the middle.
+  const Eigen::Vector3d normal_before(contact.normal.x, contact.normal.y, contact.normal.z);
+  if (normal_before.dot(normal) < kOpposite) {
+    const double gap_before = normal_before.dot(ToVector(at)) - static_cast<double>(contact.normal.w);
+    const double offset = motion_.contact_offset + static_cast<double>(state.extra_offset[particle]);
+    const double middle = 0.5 * (gap_before + sample.distance);
+    if (middle < offset) {
+      state.extra_offset[particle] = static_cast<float>(std::max(middle, kLeastOffset) - motion_.contact_offset);
+    }
+  }
   contact.normal = ToFloat4(normal, static_cast<float>(normal.dot(ToVector(at)) - sample.distance));
   // A plane stands for the surface while the particle has moved little; far away half the distance is safe.
   const double clear = std::abs(sample.distance) - motion_.contact_offset;

@@ -30,14 +30,16 @@ constexpr int kRestWindows = 3;     // Rest must hold for this many sixtieths of
 constexpr int kPatientRestWindows = 12;
 // After so many windows of hanging offsets are raised no more: where there is no room they would only shake the cloth.
 constexpr int kRaisingWindows = 60;
+constexpr double kTrembling = 0.04;      // Layers that still push each other like this are to give in (unit: m/s).
 constexpr int kDampingWindows = 240;     // After so many nothing is damped more.
 constexpr int kOffBodyRestWindows = 60;  // The same where a vertex that has to touch the body does not.
 // After so many windows layers no longer push each other: what finds no room would tremble for ever. What crosses then
 // is ironed at the end.
 constexpr int kContactWindows = 120;
-constexpr int kIroningInterval = 8;      // Windows between looks at cloth that passes through itself,
-constexpr int kFirmIronings = 3;         // after so many closer to the body, where layers find no room,
-constexpr int kIroningLimit = 12;        // and how often it is ironed; what crosses then, stays and is counted.
+constexpr int kIroningInterval = 8;  // Windows between looks at cloth that passes through itself,
+constexpr int kFirmIronings = 3;     // after so many closer to the body, where layers find no room,
+// and how often it is ironed: what tangles again is left, so that it does not tremble, until the cloth is at rest.
+constexpr int kIroningLimit = 5;
 constexpr int kPullInterval = 16;        // Substeps between looks at crotch and waist while pulling up.
 constexpr int kPullPatience = 12;        // So many looks without
 constexpr double kPullProgress = 2e-4;   // this much of a rise (unit: metre) and the garment is stuck.
@@ -148,11 +150,15 @@ class HangingGarment {
   // Says whether the cloth is at rest, from how far particles went in a sixtieth of a second; fills the report.
   bool IsAtRest(const std::vector<Eigen::Vector3d>& before, const std::vector<Eigen::Vector3d>& after, double seconds);
   bool TouchesBody();
-  // Says whether cloth passes through cloth; then it has been ironed.
+  // Says whether cloth passes through cloth and has been ironed; what tangles again and again is left.
   bool IronTangles() {
-    if (!run_.options.self_collision || ironing_count_ >= kIroningLimit) return false;
+    if (!run_.options.self_collision) return false;
     self_collision_.Refresh(state_);
     if (self_collision_.crossing_count() == 0) return false;
+    if (ironing_count_ >= kIroningLimit) {
+      self_collision_.LeaveTangles();
+      return false;
+    }
     ++ironing_count_;
     self_collision_.Iron(run_.body, run_.options.contact_offset, /*may_yield=*/ironing_count_ > kFirmIronings, state_);
     return true;
@@ -369,6 +375,7 @@ Status HangingGarment::ComeToRest(bool starts_worn) {
 
   int window_count = 0;
   const int substep_limit = report.draping_substeps + options.draping_substep_limit;
+  int samples_too_close = 1;
   std::vector<Eigen::Vector3d> before = ClothSolver::Positions(state_, model_.particle_count());
   while (report.draping_substeps < substep_limit) {
     const int window = static_cast<int>(std::max(1L, std::lround(1.0 / (60.0 * motion.time_step))));
@@ -384,13 +391,21 @@ Status HangingGarment::ComeToRest(bool starts_worn) {
     const bool at_rest = IsAtRest(before, after, window * motion.time_step);
     windows_at_rest_ = at_rest && is_settling && !is_opening ? windows_at_rest_ + 1 : 0;
     before = after;
-    const int samples_too_close =
-        ++window_count <= kRaisingWindows ? solver_.RaiseOffsets(state_, options.sample_clearance) : 1;
+    if (++window_count <= kRaisingWindows) {
+      samples_too_close = solver_.RaiseOffsets(state_, options.sample_clearance);
+    }
     const bool may_slide = !TouchesBody() && !starts_worn;
     const int windows_needed = may_slide                ? kOffBodyRestWindows
                                : samples_too_close == 0 ? kRestWindows
                                                         : kPatientRestWindows;
     const bool may_end = windows_at_rest_ >= windows_needed;
+    if (getenv("DBG"))
+      fprintf(stderr,
+              "DBG n=%d w=%d sub=%d p99=%.4f max=%.4f share=%.4f close=%d rest=%d need=%d contacts=%d cross=%d "
+              "irons=%d dt=%g\n",
+              model_.particle_count(), window_count, report.draping_substeps, report.speed_p99, report.speed_max,
+              report.share_at_rest, samples_too_close, windows_at_rest_, windows_needed,
+              self_collision_.contact_count(), self_collision_.crossing_count(), ironing_count_, motion.time_step);
     const bool may_iron = window_count <= kRaisingWindows && (may_end || window_count % kIroningInterval == 0);
     const bool was_tangled = may_iron && IronTangles();
     if (may_end && !was_tangled) break;
@@ -398,7 +413,7 @@ Status HangingGarment::ComeToRest(bool starts_worn) {
     if (window_count % kRaisingWindows == 0 && window_count <= kDampingWindows) {
       motion.drag *= 2.0;
       solver_.SetMotion(motion);
-      self_collision_.GiveIn();
+      if (report.speed_p99 > kTrembling) self_collision_.GiveIn();
       if (window_count >= kContactWindows) solver_.SetSelfCollision(nullptr);
     }
     if (!is_settling && report.speed_p99 < kSettlingSpeed) {

@@ -23,6 +23,7 @@ constexpr int kLargestStrikes = 12;         // Looks on the wrong side after whi
 constexpr float kHeldShare = 0.6F;          // Of the gap to keep: what is less could not be kept.
 constexpr double kKeptOffset = 0.5;         // Of the offset from the body, where layers have been ironed,
 constexpr double kFineEdge = 0.012;         // on meshes so fine that no edge cuts through the body then (unit: metre).
+constexpr int kLeftRings = 2;               // Edges round a crossing that are given up with it.
 constexpr double kLargestPushSpeed = 0.25;  // Of a contact that is violated (unit: m/s).
 
 __m128 Load(const Float4& value) { return _mm_load_ps(&value.x); }
@@ -65,6 +66,7 @@ void SelfCollision::Refresh(const ClothState& state) {
 }
 
 void SelfCollision::Iron(const SignedDistanceField& body, double contact_offset, bool may_yield, ClothState& state) {
+  is_left_.clear();
   Refresh(state);
   if (crossings_.empty()) return;
   IroningOptions ironing;
@@ -78,7 +80,33 @@ void SelfCollision::Iron(const SignedDistanceField& body, double contact_offset,
   Refresh(state);
 }
 
+void SelfCollision::LeaveTangles() {
+  if (crossings_.empty()) return;
+  is_left_.resize(static_cast<size_t>(model_.particle_count()), 0);
+  for (const int particle : ParticlesAround(model_, topology_, crossings_, kLeftRings)) {
+    is_left_[static_cast<size_t>(particle)] = 1;
+  }
+  ClothEncounters kept{std::move(contacts_), std::move(crossings_)};
+  ForgetLeft(kept);
+  contacts_ = std::move(kept.contacts);
+  crossings_ = std::move(kept.crossings);
+}
+
+void SelfCollision::ForgetLeft(ClothEncounters& found) const {
+  if (is_left_.empty()) return;
+  const auto any_left = [this](const auto& particles) {
+    return std::any_of(particles.begin(), particles.end(),
+                       [this](int particle) { return is_left_[static_cast<size_t>(particle)] != 0; });
+  };
+  std::erase_if(found.contacts, [&](const ClothContact& contact) { return any_left(contact.particles); });
+  std::erase_if(found.crossings, [&](const ClothCrossing& crossing) {
+    return any_left(model_.edges()[static_cast<size_t>(crossing.edge)]) ||
+           any_left(model_.triangles()[static_cast<size_t>(crossing.triangle)]);
+  });
+}
+
 void SelfCollision::TakeUp(ClothEncounters found) {
+  ForgetLeft(found);
   std::vector<char> is_tangled(static_cast<size_t>(model_.particle_count()), 0);
   for (const ClothCrossing& crossing : found.crossings) {
     for (const int particle : model_.edges()[static_cast<size_t>(crossing.edge)]) {

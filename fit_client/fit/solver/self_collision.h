@@ -39,17 +39,22 @@ class SelfCollision {
   // Irons what passes through itself (see IronTangles) outside `body` by `contact_offset` (unit: metre), or half of it
   // where it `may_yield`, and looks for pairs. Moves nothing where nothing crosses.
   void Iron(const SignedDistanceField& body, double contact_offset, bool may_yield, ClothState& state);
+  // Gives up the cloth round what crosses now: it passes through itself until it is ironed. Where there is no room for
+  // layers, pushing them out of each other and ironing them in turn would go on for ever.
+  void LeaveTangles();
   // From now on layers may lie closer and rub more: those that find no room would tremble for ever.
   void GiveIn();
 
   int contact_count() const { return static_cast<int>(contacts_.size()); }
-  // As of the last look.
+  // As of the last look; what has been given up is not counted.
   int crossing_count() const { return static_cast<int>(crossings_.size()); }
 
  private:
   bool HasMoved(const ClothState& state) const;
   // Takes up what a look has found, with the sides and gaps of before.
   void TakeUp(ClothEncounters found);
+  // Takes out what touches cloth that has been given up.
+  void ForgetLeft(ClothEncounters& found) const;
   void SolveContacts(ClothState& state, float largest_push) const;
   void Untangle(ClothState& state, float step) const;
 
@@ -63,6 +68,7 @@ class SelfCollision {
   float search_radius_ = 0.0F;  // Of particles (unit: metre).
   std::vector<ClothContact> contacts_;
   std::vector<ClothCrossing> crossings_;
+  std::vector<char> is_left_;      // One a particle: given up, see LeaveTangles(). Empty: none is.
   std::vector<Float4> reference_;  // Positions at the last look.
   int substeps_since_look_ = 0;
   double seconds_since_look_ = 0.0;

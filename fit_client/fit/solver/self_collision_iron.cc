@@ -20,27 +20,6 @@ constexpr float kShare = 0.6F;     // Of the way to the middle of the neighbours
 
 Vector3f ToVector(const Float4& at) { return {at.x, at.y, at.z}; }
 
-// The particles of the crossings and those that are at most `ring_count` edges away, ascending.
-std::vector<int> ParticlesAround(const ClothModel& model, const SelfCollisionTopology& topology,
-                                 std::span<const ClothCrossing> crossings, int ring_count) {
-  std::vector<int> around;
-  for (const ClothCrossing& crossing : crossings) {
-    for (const int particle : model.edges()[static_cast<size_t>(crossing.edge)]) around.push_back(particle);
-    for (const int particle : model.triangles()[static_cast<size_t>(crossing.triangle)]) around.push_back(particle);
-  }
-  for (int ring = 0; ring <= ring_count; ++ring) {
-    std::sort(around.begin(), around.end());
-    around.erase(std::unique(around.begin(), around.end()), around.end());
-    if (ring == ring_count) break;
-    const size_t count = around.size();
-    for (size_t index = 0; index < count; ++index) {
-      const std::span<const int> neighbours = topology.neighbours_of_particle.Of(around[index]);
-      around.insert(around.end(), neighbours.begin(), neighbours.end());
-    }
-  }
-  return around;
-}
-
 // Draws the particles once towards the middle of their neighbours, and then out of the body.
 void Sweep(const SelfCollisionTopology& topology, const SignedDistanceField& body, double offset,
            std::span<const int> particles, ClothState& state) {
@@ -66,6 +45,26 @@ void Sweep(const SelfCollisionTopology& topology, const SignedDistanceField& bod
 }
 
 }  // namespace
+
+std::vector<int> ParticlesAround(const ClothModel& model, const SelfCollisionTopology& topology,
+                                 std::span<const ClothCrossing> crossings, int ring_count) {
+  std::vector<int> around;
+  for (const ClothCrossing& crossing : crossings) {
+    for (const int particle : model.edges()[static_cast<size_t>(crossing.edge)]) around.push_back(particle);
+    for (const int particle : model.triangles()[static_cast<size_t>(crossing.triangle)]) around.push_back(particle);
+  }
+  for (int ring = 0; ring <= ring_count; ++ring) {
+    std::sort(around.begin(), around.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+    if (ring == ring_count) break;
+    const size_t count = around.size();
+    for (size_t index = 0; index < count; ++index) {
+      const std::span<const int> neighbours = topology.neighbours_of_particle.Of(around[index]);
+      around.insert(around.end(), neighbours.begin(), neighbours.end());
+    }
+  }
+  return around;
+}
 
 int IronTangles(const ClothModel& model, const SelfCollisionTopology& topology, const SignedDistanceField& body,
                 const IroningOptions& options, ClothState& state, Executor& executor) {

@@ -1,11 +1,19 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "common/base/executor.h"
 #include "fit_client/fit/collision/signed_distance_field.h"
 #include "fit_client/fit/solver/cloth_solver.h"
+#include "fit_client/fit/solver/self_collision_pairs.h"
 #include "fit_client/fit/solver/self_collision_topology.h"
 
 namespace fitroom {
+
+// Returns the particles of the crossings and those that are at most `ring_count` edges away, ascending.
+std::vector<int> ParticlesAround(const ClothModel& model, const SelfCollisionTopology& topology,
+                                 std::span<const ClothCrossing> crossings, int ring_count);
 
 struct IroningOptions {
   double search_radius = 0.014;   // Crossings are looked for among particles that are closer (unit: metre).

@@ -175,6 +175,40 @@ TEST(ClothSolver, ImpactIsInelastic) {
   EXPECT_LT(highest_after_contact, motion.contact_offset + 4e-4);
 }
 
+// Between two plates that are nearer to each other than twice the offset neither side can have its due: the cloth stays
+// in the middle, at rest, instead of being pushed to and fro.
+TEST(ClothSolver, WhereTheBodyLeavesNoRoomForTheOffsetTheClothStaysInTheMiddle) {
+  constexpr double kHalfGap = 0.002;
+  TriangleMesh plates = testing::MakeBox(
+      Eigen::AlignedBox3d(Eigen::Vector3d(-0.02, -0.02, kHalfGap), Eigen::Vector3d(0.08, 0.08, 0.01)), 8);
+  const TriangleMesh behind = testing::MakeBox(
+      Eigen::AlignedBox3d(Eigen::Vector3d(-0.02, -0.02, -0.01), Eigen::Vector3d(0.08, 0.08, -kHalfGap)), 8);
+  const int first = static_cast<int>(plates.vertices.size());
+  plates.vertices.insert(plates.vertices.end(), behind.vertices.begin(), behind.vertices.end());
+  for (const Eigen::Vector3i& triangle : behind.triangles) {
+    plates.triangles.emplace_back(triangle + Eigen::Vector3i::Constant(first));
+  }
+  SerialExecutor serial;
+  SignedDistanceFieldOptions fine;
+  fine.pitch = 0.001;
+  ClothMesh sheet = testing::MakeSheet(0.06, 0.06, 6, 6);
+  for (Eigen::Vector3d& position : sheet.rest_positions) position.z() = 0.0006;
+  Scene scene(sheet, {}, SignedDistanceField::Build(plates, fine, serial).value());
+  MotionOptions motion = FreeMotion(4e-4);
+  motion.gravity.setZero();
+  motion.contact_offset = 0.003;
+  scene.solver.SetMotion(motion);
+  scene.solver.Advance(scene.state, 400, {}, 0.0);
+  const std::vector<Float4> before = scene.state.positions;
+  scene.solver.Advance(scene.state, 1, {}, 0.0);
+  for (int vertex = 0; vertex < static_cast<int>(sheet.rest_positions.size()); ++vertex) {
+    EXPECT_NEAR(scene.At(vertex).z(), 0.0, 0.5 * kHalfGap);
+    const Float4& from = before[scene.Particle(vertex)];
+    const Float4& to = scene.state.positions[scene.Particle(vertex)];
+    EXPECT_LT(std::abs(to.z - from.z), 1e-5F);
+  }
+}
+
 TEST(ClothSolver, NothingTunnelsAtAnySpeed) {
   ClothMesh mesh = MakeTriangle();
   for (Eigen::Vector3d& position : mesh.rest_positions) position = {position.x(), 0.05, position.y()};

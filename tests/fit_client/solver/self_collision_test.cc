@@ -299,6 +299,36 @@ TEST(SelfCollision, IroningTakesABulgeOutOfTheLayerAboveAndMovesNothingElse) {
   EXPECT_EQ(scene.Positions(), after);
 }
 
+// What tangles again and again is left: nothing pushes there any more, and ironing takes it out at the end.
+TEST(SelfCollision, WhatIsLeftIsNotPushedAndStillIroned) {
+  const ClothMesh sheet = testing::MakeSheet(0.2, 0.2, 20, 20);
+  TwoSheets sheets = PlaceTwoSheets(sheet, Level(0.2, 0.2, {0.0, 0.03, 0.0}, 0.0), sheet,
+                                    Level(0.2, 0.2, {0.0023, 0.034, 0.0013}, 0.3));
+  for (int vertex = 0; vertex < sheets.vertices_of_first; ++vertex) {
+    Eigen::Vector3d& place = sheets.places[static_cast<size_t>(vertex)];
+    const double distance = std::hypot(place.x() - 0.0031, place.z() - 0.0017);
+    place.y() += 0.01 * std::exp(-distance * distance / (0.02 * 0.02));
+  }
+  const SignedDistanceField floor = MakeFloor();
+  SerialExecutor serial;
+  Scene scene(sheets.mesh, sheets.places, floor, serial, true);
+  scene.self_collision().Refresh(scene.state());
+  ASSERT_GT(scene.self_collision().crossing_count(), 10);
+  scene.self_collision().LeaveTangles();
+  EXPECT_EQ(scene.self_collision().crossing_count(), 0);
+  scene.self_collision().Refresh(scene.state());
+  EXPECT_EQ(scene.self_collision().crossing_count(), 0);
+  EXPECT_GT(CountCrossings(sheets.mesh, scene.Positions()), 10);
+  Scene free(sheets.mesh, sheets.places, floor, serial, false);
+  for (Scene* const each : {&scene, &free}) each->Move(4e-4, Eigen::Vector3d::Zero(), 0.0, 4e-4);
+  for (size_t vertex = 0; vertex < sheets.places.size(); ++vertex) {
+    if (std::hypot(sheets.places[vertex].x(), sheets.places[vertex].z()) > 0.005) continue;  // Outside of the tangle.
+    EXPECT_LT((scene.Positions()[vertex] - free.Positions()[vertex]).norm(), 1e-6);
+  }
+  scene.Iron(floor);
+  EXPECT_EQ(CountCrossings(sheets.mesh, scene.Positions()), 0);
+}
+
 TEST(SelfCollision, GivesTheSameForAnyThreadCount) {
   const ClothMesh lower = testing::MakeSheet(0.2, 0.2, 40, 40);
   const ClothMesh upper = testing::MakeSheet(0.15, 0.15, 30, 30);
