@@ -113,6 +113,10 @@ Result<Dressing> DressCoarseToFine(std::span<const ClothMesh* const> meshes, Gar
   coarse_options.drape.draping_substep_limit = std::min(options.drape.draping_substep_limit, kCoarseSubstepLimit);
   FR_ASSIGN_OR_RETURN(Dressing worn,
                       DressGarment(*meshes.front(), kind, wearer, coarse_options, executor, part(0.0, kCoarseShare)));
+  if (worn.report.outcome == DrapeOutcome::kSeamsOpen) {
+    // How far seams give way is found while the garment is put on: the fine mesh finds its own.
+    return DressGarment(*meshes.back(), kind, wearer, options, executor, part(kCoarseShare, 1.0 - kCoarseShare));
+  }
   const double share = (1.0 - kCoarseShare) / static_cast<double>(meshes.size() - 1);
   for (size_t level = 1; level < meshes.size(); ++level) {
     const double begin = kCoarseShare + share * static_cast<double>(level - 1);
