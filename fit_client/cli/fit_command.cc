@@ -179,7 +179,8 @@ void AddFitCommand(CLI::App& app, int& exit_code) {
   auto flags = std::make_shared<FitFlags>();
   CLI::App* command = app.add_subcommand("fit", "Dress a body in garments, on this computer, without any server");
   command->footer(
-      "Writes front, side, back and three-quarter pictures, the stages, fitted.glb, report.json and report.txt.\n"
+      "Writes front, side, back and three-quarter pictures, the stages, fitted.glb, report.json, report.txt and a "
+      "page, index.html.\n"
       "Example: fit_client fit --scan me.ase --garment shirt --out worn");
   CLI::Option* body = command->add_option("--body", flags->body, "A pulled scan, as `fit_client pull` names it");
   command->add_option("--scan", flags->scan, "A scan file (ASE, PLY or OBJ) instead of a pulled one")->excludes(body);

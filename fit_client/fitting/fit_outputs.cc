@@ -17,9 +17,12 @@
 #include "fit_client/render/pictures.h"
 #include "fit_client/render/scene.h"
 #include "fit_client/render/size_sheet.h"
+#include "fit_client/report/fit_page.h"
 
 namespace fitroom {
 namespace {
+
+constexpr char kPageName[] = "index.html";
 
 Status MakeFolder(const std::filesystem::path& folder) {
   std::error_code error;
@@ -220,6 +223,16 @@ std::string OutfitJson(const Outfit& outfit) {
   return "{\"garments\": [\n" + json + "]}\n";
 }
 
+namespace {
+
+std::string OutfitPage(const Outfit& outfit) {
+  std::vector<FitReport> reports;
+  for (const FittedGarment& worn : outfit.garments) reports.push_back(worn.report);
+  return WriteFitPage(reports);
+}
+
+}  // namespace
+
 Status WriteFitOutputs(const std::filesystem::path& folder, const BodyInput& body, Outfit& outfit,
                        const FitOutputOptions& options, Stopwatch& stopwatch, const ProgressSink& progress) {
   FR_RETURN_IF_ERROR(MakeFolder(folder));
@@ -257,12 +270,14 @@ Status WriteFitOutputs(const std::filesystem::path& folder, const BodyInput& bod
     worn.report.files = writer.files();
     worn.report.files.push_back({"report.json", "this report for programs", 0});
     worn.report.files.push_back({"report.txt", "this report for people", 0});
+    worn.report.files.push_back({kPageName, "all of it on one page, for a browser", 0});
     worn.report.times = stopwatch.laps();
     worn.report.total_seconds = stopwatch.total_seconds();
     worn.report.peak_rss_bytes = PeakMemory();
   }
   FR_RETURN_IF_ERROR(WriteFileAtomically(folder / "report.json", OutfitJson(outfit)));
   FR_RETURN_IF_ERROR(WriteFileAtomically(folder / "report.txt", OutfitText(outfit)));
+  FR_RETURN_IF_ERROR(WriteFileAtomically(folder / kPageName, OutfitPage(outfit)));
   if (progress) progress("done", 1.0);
   return Status();
 }

@@ -1,56 +1,14 @@
 #include "fit_client/report/fit_text.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include "fit_client/fit/measure/contact_pressure.h"
+#include "fit_client/report/fit_words.h"
 
 namespace fitroom {
-namespace {
-
-// The words of a verdict, as a shopper reads them first.
-std::string Words(const SizeVerdict& verdict) {
-  const std::string words(FitVerdictWords(verdict.verdict));
-  // "tight at the hip: …" says it already.
-  const std::string sentence = verdict.reason.empty()              ? words
-                               : verdict.reason.starts_with(words) ? verdict.reason
-                                                                   : words + ": " + verdict.reason;
-  return sentence +
-         (verdict.is_close ? Format(" (a close call: measures are known to %.0f mm)", verdict.uncertainty * 1e3) : "");
-}
-
-// "round", "along" or "across" the garment: the main direction of strain in words.
-const char* DirectionWords(double angle) {
-  const double degrees = std::abs(angle) * 180.0 / std::numbers::pi;
-  if (degrees < 22.5) return "round";
-  return degrees > 67.5 ? "along" : "oblique";
-}
-
-// Pressure as a band with its bounds, never as a number to two digits.
-std::string PressureWords(double pressure) {
-  switch (PressureBandOf(pressure)) {
-    case PressureBand::kNegligible:
-      return "none (< 0.4 kPa)";
-    case PressureBand::kComfortable:
-      return "comfortable (0.4-1.3)";
-    case PressureBand::kCritical:
-      return "critical (1.3-2.0)";
-    case PressureBand::kMedical:
-      return "as shapewear (2.0-3.3)";
-    case PressureBand::kHarmful:
-      return "too high (> 3.3)";
-  }
-  return "";
-}
-
-}  // namespace
 
 void WriteVerdictText(const FitReport& report, Page& page) {
   if (report.verdict) {
     const SizeVerdict& verdict = *report.verdict;
     page.Heading("How it fits" + (verdict.size.empty() ? std::string() : ", size " + Printable(verdict.size)));
-    page.Entry("verdict", Words(verdict));
+    page.Entry("verdict", VerdictWords(verdict));
     for (const ZoneVerdict& zone : verdict.zones) {
       if (zone.reason.empty() || (verdict.has_deciding_zone && zone.zone == verdict.deciding_zone)) continue;
       page.Entry("also", std::string(FitZoneWords(zone.zone)) + ": " + zone.reason);
@@ -59,7 +17,7 @@ void WriteVerdictText(const FitReport& report, Page& page) {
   if (report.recommendation) page.Entry("your size", report.recommendation->text);
   if (report.sizes.size() > 1) {
     page.Heading("Sizes");
-    for (const SizeVerdict& size : report.sizes) page.Entry(size.size, Words(size));
+    for (const SizeVerdict& size : report.sizes) page.Entry(size.size, VerdictWords(size));
   }
   if (report.layers.size() > 1) {
     page.Heading("Worn over each other, from the skin outwards");
@@ -100,14 +58,8 @@ void WriteZonesText(const FitReport& report, Page& page) {
       if (!zone.note.empty()) page.Entry("", zone.note);
     }
   }
-  std::string ruled;
-  std::string unknown;
-  for (const GarmentMeasure& measure : report.measures) {
-    std::string words = measure.name;
-    std::replace(words.begin(), words.end(), '_', ' ');
-    if (measure.provenance == Provenance::kRuled) ruled += (ruled.empty() ? "" : ", ") + words;
-    if (measure.provenance == Provenance::kUnknown) unknown += (unknown.empty() ? "" : ", ") + words;
-  }
+  const std::string ruled = MeasuresKnownAs(report, Provenance::kRuled);
+  const std::string unknown = MeasuresKnownAs(report, Provenance::kUnknown);
   if (ruled.empty() && unknown.empty()) return;
   page.Heading("How the garment's measures are known");
   if (!ruled.empty()) page.Entry("estimated", ruled + " (by a drafting rule)");

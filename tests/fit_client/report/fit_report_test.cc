@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "fit_client/report/fit_page.h"
+
 namespace fitroom {
 namespace {
 
@@ -235,6 +237,57 @@ TEST(FitReportText, TellsTheShopperFirst) {
 TEST(FitReportText, AnEmptyReportIsStillAReport) {
   EXPECT_THAT(WriteText(FitReport()), HasSubstr("Result: NOT FINISHED"));
   EXPECT_FALSE(nlohmann::json::parse(WriteJson(FitReport())).empty());
+}
+
+// Every element that is opened is closed, in order; those without content are left out.
+bool IsBalanced(const std::string& page) {
+  std::vector<std::string> open;
+  for (size_t at = page.find('<'); at != std::string::npos; at = page.find('<', at + 1)) {
+    const size_t end = page.find_first_of(" >", at);
+    const std::string name = page.substr(at + 1, end - at - 1);
+    if (name == "!doctype" || name == "meta" || name == "img") continue;
+    if (!name.starts_with("/")) {
+      open.push_back(name);
+    } else {
+      if (open.empty() || open.back() != name.substr(1)) return false;
+      open.pop_back();
+    }
+  }
+  return open.empty();
+}
+
+TEST(FitReportPage, ShowsEveryPictureAndLinksEveryFile) {
+  FitReport report = MakeReport();
+  report.files = {{"front.png", "front view", 10}, {"map_strain.png", "stretch", 10}, {"fitted.glb", "3D model", 10}};
+  const std::string page = WriteFitPage(std::vector<FitReport>{report});
+  EXPECT_TRUE(IsBalanced(page));
+  EXPECT_THAT(page, HasSubstr("<img src=\"front.png\""));
+  EXPECT_THAT(page, HasSubstr("<img src=\"map_strain.png\""));
+  EXPECT_THAT(page, HasSubstr("href=\"fitted.glb\""));
+  EXPECT_THAT(page, Not(HasSubstr("<img src=\"fitted.glb\"")));
+  EXPECT_THAT(page, HasSubstr("White cubes"));
+}
+
+TEST(FitReportPage, NothingFromOutsideBecomesMarkup) {
+  FitReport report = MakeReport();
+  const std::string hostile = "\"><script>alert('1')</script>&\x1b[2J";
+  report.garment_title = hostile;
+  report.body = hostile;
+  report.warnings = {hostile};
+  report.finished = false;
+  report.finishing_text = hostile;
+  SizeVerdict verdict;
+  verdict.size = hostile;
+  verdict.reason = hostile;
+  report.verdict = verdict;
+  report.sizes = {verdict, verdict};
+  report.files = {{hostile, hostile, 1}};
+  const std::string page = WriteFitPage(std::vector<FitReport>{report});
+  EXPECT_TRUE(IsBalanced(page));
+  EXPECT_THAT(page, Not(HasSubstr("<script")));
+  EXPECT_THAT(page, Not(HasSubstr("\x1b")));
+  EXPECT_THAT(page, Not(HasSubstr("http://")));
+  EXPECT_TRUE(IsBalanced(WriteFitPage({})));
 }
 
 }  // namespace
