@@ -29,20 +29,29 @@ bool IsKnown(const LandmarkEstimate& landmark) { return landmark.confidence > 0.
 
 TapeGirths::TapeGirths(const Body& body) : body_(body), index_(body.mesh, kSlabCount) {}
 
-std::optional<double> TapeGirths::TrunkAt(double height) const {
-  const std::vector<SectionLoop> loops = index_.CutAt(height, Options());
+std::vector<SectionLoop> TapeGirths::TrunkLoopsAt(double height, const HeightIndex& of) const {
+  std::vector<SectionLoop> loops = of.CutAt(height, Options());
+  if (loops.empty()) return loops;
   const BodyLandmarks& marks = body_.landmarks;
-  const double crotch = marks[BodyLandmark::kCrotch].position.y();
+  const bool is_leg = IsKnown(marks[BodyLandmark::kCrotch]) && height < marks[BodyLandmark::kCrotch].position.y();
+  if (!is_leg) {
+    loops.resize(1);
+    return loops;
+  }
   // An arm's outline has its middle beyond the hip joint's side; a leg's does not.
   const double hip_half = std::abs(body_.leg_left.root.x() - body_.leg_right.root.x());
-  const double farthest = std::max(0.12, 0.9 * hip_half);
+  const double farthest = std::max(0.12, 0.9 * hip_half) + 0.1;
+  // Hands hang beside the thighs: their outlines are small.
+  const double smallest = 0.35 * loops.front().area;
+  std::erase_if(
+      loops, [&](const SectionLoop& loop) { return std::abs(loop.centroid.x()) > farthest || loop.area < smallest; });
+  return loops;
+}
+
+std::optional<double> TapeGirths::TrunkAt(double height) const {
   std::vector<Eigen::Vector2d> points;
   double bridges = 0.0;
-  for (const SectionLoop& loop : loops) {
-    const bool is_leg = IsKnown(marks[BodyLandmark::kCrotch]) && height < crotch;
-    if (is_leg ? std::abs(loop.centroid.x()) > farthest + 0.1 : !points.empty()) continue;
-    // Hands hang beside the thighs: their outlines are small.
-    if (is_leg && loop.area < 0.35 * loops.front().area) continue;
+  for (const SectionLoop& loop : TrunkLoopsAt(height, index_)) {
     points.insert(points.end(), loop.points.begin(), loop.points.end());
     bridges += loop.bridge_length;
   }
@@ -50,6 +59,16 @@ std::optional<double> TapeGirths::TrunkAt(double height) const {
   const double tape = TapeLength(points);
   if (bridges > kLargestGuess * tape) return std::nullopt;
   return tape;
+}
+
+std::vector<Eigen::Vector2d> TapeGirths::TrunkOutlineAt(double height) const { return TrunkOutlineAt(height, index_); }
+
+std::vector<Eigen::Vector2d> TapeGirths::TrunkOutlineAt(double height, const HeightIndex& of) const {
+  std::vector<Eigen::Vector2d> points;
+  for (const SectionLoop& loop : TrunkLoopsAt(height, of)) {
+    points.insert(points.end(), loop.points.begin(), loop.points.end());
+  }
+  return points;
 }
 
 std::optional<double> TapeGirths::LimbGirth(const Eigen::Vector3d& centre, const Eigen::Vector3d& direction,

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <vector>
+
+#include <Eigen/Core>
 
 #include "common/body/body.h"
 #include "common/body/plane_section.h"
@@ -18,6 +21,10 @@ class TapeGirths {
 
   // Round the trunk at a height, arms left out; below the crotch round both legs together (unit: metre).
   std::optional<double> TrunkAt(double height) const;
+  // The outlines that TrunkAt() measures, as (x, z); none where the body does not reach. `of`: instead of the body's
+  // own mesh one that is worn on it, for example the closed surface of a garment.
+  std::vector<Eigen::Vector2d> TrunkOutlineAt(double height) const;
+  std::vector<Eigen::Vector2d> TrunkOutlineAt(double height, const HeightIndex& of) const;
   // Round one leg, or the mean of both, at a height below the crotch.
   std::optional<double> LegAt(double height) const;
   // Half way between hip joint and knee at most, just below the crotch: where trousers' thighs are measured.
@@ -29,6 +36,8 @@ class TapeGirths {
   std::optional<double> ShoulderBreadth() const;
 
  private:
+  // One trunk, or both legs.
+  std::vector<SectionLoop> TrunkLoopsAt(double height, const HeightIndex& of) const;
   std::optional<double> LimbGirth(const Eigen::Vector3d& centre, const Eigen::Vector3d& direction, double reach) const;
 
   const Body& body_;

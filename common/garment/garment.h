@@ -113,6 +113,9 @@ struct Garment {
   std::optional<GarmentView> side_folded;
 };
 
+// The chest of a top is measured so far below its underarms, flat or worn: an inch, as the trade does (unit: metre).
+inline constexpr double kChestBelowUnderarm = 0.025;
+
 // Returns the size of that name, or nullptr.
 const GarmentSize* FindSize(const SizeChart& chart, std::string_view name);
 // Returns the measure of that name, or nullptr.

@@ -26,11 +26,10 @@ Eigen::Vector2d TorsoAxis(const TriangleMesh& body, double height) {
 // The garment's own bust line, as shops measure it, lies just under its underarms: above, the cloth is open to the
 // sleeves.
 double HighestClosedHeight(const FittedGarment& worn) {
-  constexpr double kBelowUnderarm = 0.015;  // (unit: metre)
   double height = 1e9;
   for (const NamedParticle& named : worn.cut.cloth.named_particles) {
     if (named.name.find("/underarm_") == std::string::npos) continue;
-    height = std::min(height, worn.stages.final[static_cast<size_t>(named.particle)].y() - kBelowUnderarm);
+    height = std::min(height, worn.stages.final[static_cast<size_t>(named.particle)].y() - kChestBelowUnderarm);
   }
   return height;
 }

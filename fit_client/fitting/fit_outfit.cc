@@ -121,6 +121,7 @@ Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers
                                               dressing_options, executor, dressing);
     if (!dressed.ok()) return dressed.status().At(garment.id);
     worn.stages = std::move(dressed->stages);
+    worn.bottom = dressed->bottom;
     stopwatch.Lap("dressing");
     if (!IsBottom(garment.kind) && !worn_already.empty()) {
       FR_RETURN_IF_ERROR(PressWorn(body, worn, options, executor, outfit, worn_already).At(garment.id));
@@ -129,7 +130,7 @@ Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers
 
     DescribeOutcome(*dressed, IsBottom(garment.kind), options.dressing.drape, worn.report);
     DescribeEase(body.body.measurements, outfit.body_surface, worn);
-    JudgeWorn(body.body, FactsOf(*dressed), worn);
+    JudgeWorn(body.body, worn_already, FactsOf(*dressed), worn);
     JudgeChart(body.body, worn);
     stopwatch.Lap("measuring");
     if (&layer != &layers.back()) {

@@ -39,8 +39,9 @@ struct FittedGarment {
   const GarmentInput* input = nullptr;
   CutGarment cut;
   DressingStages stages;
-  FitMaps maps;      // Strain, pressure and room all over it.
-  FitReport report;  // All but times, memory and files, which are the command's.
+  std::optional<BottomOutcome> bottom;  // What dressing a bottom found out.
+  FitMaps maps;                         // Strain, pressure and room all over it.
+  FitReport report;                     // All but times, memory and files, which are the command's.
 };
 
 // A dressed body. The innermost garment comes first.

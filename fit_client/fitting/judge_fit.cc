@@ -81,7 +81,8 @@ const Fabric& FabricOf(const Garment& garment) {
   return fabric != nullptr ? *fabric : FabricPresets().front();
 }
 
-void JudgeWorn(const Body& body, const DressingFacts& facts, FittedGarment& fitted) {
+void JudgeWorn(const Body& body, std::span<const WornGarment> layers, const DressingFacts& facts,
+               FittedGarment& fitted) {
   const Garment& garment = fitted.input->garment;
   const Fabric& fabric = FabricOf(garment);
   AssessInput input;
@@ -90,6 +91,7 @@ void JudgeWorn(const Body& body, const DressingFacts& facts, FittedGarment& fitt
   input.cloth = &fitted.cut.cloth;
   input.positions = &fitted.stages.final;
   input.body = &body;
+  for (const WornGarment& layer : layers) input.layers.push_back(&layer.surface);
   input.measures = fitted.cut.measures;
   FitAssessment assessment = AssessFit(input);
   fitted.maps = std::move(assessment.maps);

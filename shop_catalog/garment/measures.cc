@@ -12,7 +12,6 @@
 namespace fitroom::shop_catalog {
 namespace {
 
-constexpr double kChestBelowUnderarm = 0.025;  // (unit: metre)
 
 // One view with its scale.
 class Ruler {

@@ -1,7 +1,7 @@
 // Dresses a population: every body in every outfit, each garment in the size of its chart that the body's primary
 // dimension names, or so many steps smaller or larger. Prints a line a garment and a table an outfit.
 //   population_bench --bodies FOLDER --garments FOLDER [--every N] [--step N] [--outfit NAME[+NAME]]... [--pitch-cm
-//   P]... [--threads N] [--check]
+//   P]... [--threads N] [--all-sizes] [--check]
 // FOLDER of garments: one folder a garment, as `shop_catalog extract` makes it, named as in the outfits.
 
 #include <algorithm>
@@ -21,6 +21,7 @@
 #include "fit_client/fitting/fit_inputs.h"
 #include "fit_client/fitting/fit_outfit.h"
 #include "fit_client/fitting/own_size.h"
+#include "tests/bench/ease_table.h"
 
 namespace fitroom {
 namespace {
@@ -35,6 +36,7 @@ struct Flags {
   bool no_self_collision = false;
   bool one_mesh = false;
   bool check = false;
+  bool all_sizes = false;
 };
 
 // What came out of one garment of one outfit on one body.
@@ -50,7 +52,8 @@ struct Row {
   double seam_max = 0.0;
   double strain_p95 = 0.0;
   double strain_max = 0.0;
-  double ease_error = 0.0;  // Largest difference of worn and flat girth of the zones that hang free.
+  double ease_error = 0.0;  // Largest difference of a torso zone's worn line from what it has to be.
+  double belt_ease = 0.0;   // Of a bottom's waist, before it was held (unit: metre).
   int crossings = 0;
   int substeps = 0;
   double pitch_cm = 0.0;
@@ -112,16 +115,19 @@ Row MakeRow(const FittedGarment& fitted) {
   row.crossings = report.self_crossing_count;
   row.substeps = report.substep_count;
   row.zones = report.zones;
+  if (fitted.bottom) row.belt_ease = fitted.bottom->belt.ease();
   for (const ZoneFit& zone : report.zones) {
     const bool is_torso = zone.zone == FitZone::kBust || zone.zone == FitZone::kWaist || zone.zone == FitZone::kHip;
-    if (!is_torso || !zone.measured || zone.worn_girth <= 0.0 || zone.ease() < 0.0) continue;
-    row.ease_error = std::max(row.ease_error, std::abs(zone.worn_girth - zone.garment_girth));
+    if (!is_torso || !zone.measured || zone.worn_girth <= 0.0) continue;
+    row.ease_error = std::max(row.ease_error, std::abs(LineError(zone)));
   }
   return row;
 }
 
+// `outermost_size`: of the garment worn outermost; empty: the one that the body asks for, as for the others.
 std::vector<Row> FitOne(const std::filesystem::path& body_file, const BodyInput& body, const std::string& outfit_name,
-                        const std::map<std::string, GarmentInput>& wardrobe, double pitch_cm, const Flags& flags) {
+                        const std::map<std::string, GarmentInput>& wardrobe, double pitch_cm,
+                        const std::string& outermost_size, const Flags& flags) {
   std::vector<Row> rows;
   std::vector<Layer> layers;
   for (const std::string& name : GarmentsOf(outfit_name)) {
@@ -129,6 +135,7 @@ std::vector<Row> FitOne(const std::filesystem::path& body_file, const BodyInput&
     const Result<std::string> size = SizeFor(garment.garment, body.body, flags.step);
     layers.push_back({&garment, size.ok() ? *size : std::string()});
   }
+  if (!outermost_size.empty()) layers.back().size = outermost_size;
   SerialExecutor executor;
   Stopwatch stopwatch;
   FitOptions options;
@@ -223,10 +230,22 @@ void PrintAgreement(const std::vector<Row>& rows, const Flags& flags) {
   std::printf("largest difference %.1f mm\n", largest * 1e3);
 }
 
+// The tables of ease, of the first mesh.
+void PrintEase(const std::vector<Row>& rows, const Flags& flags) {
+  std::vector<WornZones> worn;
+  for (const Row& row : rows) {
+    if (row.pitch_cm == flags.pitches_cm.front()) {
+      worn.push_back({row.body, row.outfit, row.garment, row.size, row.zones, row.belt_ease});
+    }
+  }
+  PrintEaseTable(worn);
+  if (flags.all_sizes) PrintEaseOfSizes(worn);
+}
+
 // What a fit in the right size has to be; in another size it has to end with a stated outcome, whole and outside.
 bool IsAsPromised(const Row& row, const Flags& flags) {
   if (!row.stated || row.torn || row.deepest > 1e-4) return false;
-  return flags.step != 0 || (row.finished && row.seam_max <= 5e-4);
+  return flags.step != 0 || flags.all_sizes || (row.finished && row.seam_max <= 5e-4);
 }
 
 int Run(const Flags& flags) {
@@ -258,6 +277,14 @@ int Run(const Flags& flags) {
   std::vector<Row> all;
   std::mutex mutex;
   std::atomic<size_t> next = 0;
+  const auto sizes_of = [&](const std::string& outfit) {
+    std::vector<std::string> sizes;
+    if (!flags.all_sizes) return std::vector<std::string>{""};
+    for (const GarmentSize& size : wardrobe.at(GarmentsOf(outfit).back()).garment.chart.sizes) {
+      sizes.push_back(size.name);
+    }
+    return sizes;
+  };
   const auto work = [&] {
     for (size_t i = next++; i < chosen.size(); i = next++) {
       const Result<BodyInput> body = LoadScan(chosen[i]);
@@ -275,11 +302,13 @@ int Run(const Flags& flags) {
         continue;
       }
       for (const std::string& outfit : flags.outfits) {
-        for (const double pitch_cm : flags.pitches_cm) {
-          const std::vector<Row> rows = FitOne(chosen[i], *body, outfit, wardrobe, pitch_cm, flags);
-          const std::lock_guard lock(mutex);
-          for (const Row& row : rows) PrintRow(row);
-          all.insert(all.end(), rows.begin(), rows.end());
+        for (const std::string& size : sizes_of(outfit)) {
+          for (const double pitch_cm : flags.pitches_cm) {
+            const std::vector<Row> rows = FitOne(chosen[i], *body, outfit, wardrobe, pitch_cm, size, flags);
+            const std::lock_guard lock(mutex);
+            for (const Row& row : rows) PrintRow(row);
+            all.insert(all.end(), rows.begin(), rows.end());
+          }
         }
       }
     }
@@ -288,6 +317,7 @@ int Run(const Flags& flags) {
   for (int i = 0; i < flags.threads; ++i) threads.emplace_back(work);
   for (std::thread& thread : threads) thread.join();
   PrintSummary(all, flags);
+  PrintEase(all, flags);
   if (flags.pitches_cm.size() > 1) PrintAgreement(all, flags);
   const auto failed = std::count_if(all.begin(), all.end(), [&](const Row& row) { return !IsAsPromised(row, flags); });
   std::printf("\n%zu garments, %td not as promised\n", all.size(), failed);
@@ -305,6 +335,8 @@ int main(int argc, char** argv) {
   app.add_option("--outfit", flags.outfits, "Garments joined by +, the innermost first; several times");
   app.add_option("--every", flags.every, "Only every n-th body")->check(CLI::Range(1, 1000));
   app.add_option("--step", flags.step, "So many sizes larger (or smaller) than the right one");
+  app.add_flag("--all-sizes", flags.all_sizes,
+               "Every size of the outermost garment's chart, and a table of their ease");
   app.add_option("--threads", flags.threads, "Fits at a time")->check(CLI::Range(1, 64));
   app.add_option("--pitch-cm", flags.pitches_cm,
                  "Edge length of the cloth meshes; several times: compares their girths");

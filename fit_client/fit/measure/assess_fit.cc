@@ -8,18 +8,26 @@
 #include <utility>
 
 #include "common/base/check.h"
+#include "common/body/plane_section.h"
+#include "common/body/polygon.h"
 #include "common/body/tape_girths.h"
 #include "fit_client/fit/measure/body_gap.h"
 #include "fit_client/fit/measure/cloth_strain.h"
 #include "fit_client/fit/measure/contact_pressure.h"
 #include "fit_client/fit/measure/garment_line.h"
+#include "fit_client/fit/measure/taut_length.h"
 
 namespace fitroom {
 namespace {
 
-constexpr double kBelowUnderarm = 0.015;  // The bust line of a flat garment lies this far below it (unit: metre).
+constexpr double kBelowCrotch = 0.015;  // Where the thigh of trousers is measured (unit: metre).
 constexpr double kBelowTopEdge = 0.01;  // The cloth of a bottom's waist lies round this, below its edge (unit: metre).
 constexpr double kAboveHem = 0.01;      // (unit: metre)
+constexpr double kHemReach = 0.03;      // A garment that ends so near below a place is measured above it (unit: metre),
+constexpr double kHemStep = 0.0025;     // at the first of these steps where its line is whole (unit: metre).
+constexpr double kBodyOffset = 0.003;   // Cloth that lies on the body is this far from it (unit: metre).
+constexpr double kBeltOffset = 0.001;   // And a belt so much farther (unit: metre).
+constexpr int kLayerSlabs = 128;
 constexpr double kZoneHalfHeight = 0.04;  // Of the cloth that counts as a zone's (unit: metre).
 constexpr double kBelowArmpit = 0.05;     // Where the upper arm is measured, along the arm (unit: metre).
 constexpr double kSleeveReach = 0.2;      // Of the cut round the arm (unit: metre).
@@ -39,7 +47,9 @@ class Assessor {
         positions_(*input.positions),
         body_(*input.body),
         tape_(*input.body),
-        strains_(ComputeStrain(cloth_, positions_)) {}
+        strains_(ComputeStrain(cloth_, positions_)) {
+    for (const TriangleMesh* layer : input.layers) layers_.emplace_back(*layer, kLayerSlabs);
+  }
 
   FitAssessment Run() {
     FitAssessment result;
@@ -62,12 +72,10 @@ class Assessor {
     draped.stretch_stiffness = DrapeMaterial(draped).stretch_stiffness;
     contact_pressures_ = ContactForcePressure(cloth_, positions_, draped, input_.gravity);
     maps.pressure = LaplacePressure(cloth_, positions_, strains_, draped.stretch_stiffness);
-    if (input_.surface != nullptr) {
-      for (const Eigen::Vector3d& position : positions_) {
-        maps.gap.push_back(std::max(0.0, input_.surface->Distance(position)));
-      }
-    } else {
-      maps.gap = MeasureGaps(body_.mesh, positions_);
+    maps.gap = MeasureGaps(body_.mesh, positions_);
+    for (const TriangleMesh* layer : input_.layers) {
+      const std::vector<double> gaps = MeasureGaps(*layer, positions_);
+      for (size_t i = 0; i < std::min(gaps.size(), maps.gap.size()); ++i) maps.gap[i] = std::min(maps.gap[i], gaps[i]);
     }
     is_touching_.assign(positions_.size(), true);
     for (size_t i = 0; i < maps.gap.size(); ++i) is_touching_[i] = maps.gap[i] < kContactGap;
@@ -104,7 +112,7 @@ class Assessor {
     switch (zone) {
       case FitZone::kBust:
         return AtBodyHeight(body_.measurements.bust, "bust",
-                            LineAtPoints({"underarm_L", "underarm_R"}, /*lowest=*/true, kBelowUnderarm));
+                            LineAtPoints({"underarm_L", "underarm_R"}, /*lowest=*/true, kChestBelowUnderarm));
       case FitZone::kWaist:
         return IsBottom(input_.kind) ? MeasureTopEdge() : AtBodyHeight(body_.measurements.waist, "waist", {});
       case FitZone::kHip:
@@ -133,7 +141,7 @@ class Assessor {
       zone.fit.note = "the scan gave no " + name + " girth";
       return zone;
     }
-    std::optional<LineHeights> heights = FindLineAt(cloth_, positions_, girth.height);
+    std::optional<LineHeights> heights = FindWholeLineAt(girth.height);
     if (highest) {
       if (!heights) heights = highest;
       for (const size_t panel : {0U, 1U}) (*heights)[panel] = std::min((*heights)[panel], (*highest)[panel]);
@@ -144,6 +152,42 @@ class Assessor {
     }
     TakeLine(*heights, /*leg_count=*/1, name, zone);
     return zone;
+  }
+
+  // The line at a height of the worn garment, or a little higher where the hem passes through.
+  std::optional<LineHeights> FindWholeLineAt(double height) const {
+    for (double above = 0.0; above < kHemReach; above += kHemStep) {
+      const std::optional<LineHeights> heights = FindLineAt(cloth_, positions_, height + above);
+      if (heights && MeasureLine(cloth_, positions_, *heights).is_closed) return heights;
+    }
+    return std::nullopt;
+  }
+
+  // What body and layers ask of a line, half by half.
+  void AddWayRoundBody(const GarmentLine& line, ZoneFit& fit) const {
+    const std::vector<Eigen::Vector2d> under = OutlineUnder(line.height);
+    if (!input_.layers.empty() && !under.empty()) fit.layered_girth = TapeLength(under);
+    if (!line.is_closed) return;
+    for (const size_t panel : {0U, 1U}) {
+      const LineHalf& half = line.halves[panel];
+      const Eigen::Vector2d right(half.ends[0].x(), half.ends[0].z());
+      const Eigen::Vector2d left(half.ends[1].x(), half.ends[1].z());
+      const std::vector<Eigen::Vector2d> outline = OutlineUnder(half.height);
+      // Seen from above with x to the right, the front (+z) is left of the way from the wearer's right to the left.
+      const double taut =
+          panel == 0 ? TautLength(outline, right, left, kBodyOffset) : TautLength(outline, left, right, kBodyOffset);
+      fit.least_worn_girth += std::max(half.flat_length, taut);
+    }
+  }
+
+  // The section of the trunk and of what is worn on it below this garment, as (x, z).
+  std::vector<Eigen::Vector2d> OutlineUnder(double height) const {
+    std::vector<Eigen::Vector2d> points = tape_.TrunkOutlineAt(height);
+    for (const HeightIndex& layer : layers_) {
+      const std::vector<Eigen::Vector2d> of_layer = tape_.TrunkOutlineAt(height, layer);
+      points.insert(points.end(), of_layer.begin(), of_layer.end());
+    }
+    return points;
   }
 
   void TakeLine(const LineHeights& heights, int leg_count, const std::string& name, ZoneLine& zone) {
@@ -158,6 +202,7 @@ class Assessor {
     zone.fit.garment_girth = line.flat_girth / leg_count;
     zone.fit.worn_girth = line.worn_girth / leg_count;
     zone.fit.height = line.height;
+    if (leg_count == 1) AddWayRoundBody(line, zone.fit);
     if (!zone.fit.measured) zone.fit.note = "the scan gave no girth at the garment's " + name;
   }
 
@@ -186,6 +231,10 @@ class Assessor {
       zone.fit.garment_girth = line.flat_girth;
       zone.fit.worn_girth = line.worn_girth;
       zone.fit.height = line.height;
+      // The belt lies on the body and gathers or stretches the edge to its own length.
+      zone.fit.is_belted = true;
+      zone.fit.least_worn_girth =
+          TapeLength(OutlineUnder(line.height)) + 2.0 * std::numbers::pi * (kBodyOffset + kBeltOffset);
     }
     return zone;
   }
@@ -250,7 +299,7 @@ class Assessor {
     const std::optional<GirthMeasurement> girth = is_thigh ? tape_.Thigh() : tape_.Knee();
     if (girth) zone.fit.body_girth = girth->girth;
     const std::optional<LineHeights> heights =
-        is_thigh ? LineAtPoints({"crotch"}, /*lowest=*/true, kBelowUnderarm)
+        is_thigh ? LineAtPoints({"crotch"}, /*lowest=*/true, kBelowCrotch)
                  : LineAtPoints({"knee_outer_L", "knee_outer_R", "knee_inner_L", "knee_inner_R"}, true, 0.0);
     if (!heights) {
       zone.fit.note = "the garment's " + name + " is not known";
@@ -362,6 +411,7 @@ class Assessor {
   const std::vector<Eigen::Vector3d>& positions_;
   const Body& body_;
   const TapeGirths tape_;
+  std::vector<HeightIndex> layers_;
   const std::vector<TriangleStrain> strains_;
   std::vector<double> laplace_pressures_;
   std::vector<double> contact_pressures_;
@@ -369,21 +419,6 @@ class Assessor {
 };
 
 }  // namespace
-
-Result<SignedDistanceField> BuildGapField(const TriangleMesh& surface, const std::vector<Eigen::Vector3d>& positions,
-                                          Executor& executor) {
-  constexpr double kMargin = 0.01;  // (unit: metre)
-  SignedDistanceFieldOptions options;
-  options.pitch = 0.006;
-  Eigen::AlignedBox3d region;
-  for (const Eigen::Vector3d& position : positions) {
-    if (position.allFinite()) region.extend(position);
-  }
-  if (!region.isEmpty()) {
-    options.region = Eigen::AlignedBox3d(region.min().array() - kMargin, region.max().array() + kMargin);
-  }
-  return SignedDistanceField::Build(surface, options, executor);
-}
 
 FitAssessment AssessFit(const AssessInput& input) {
   FR_CHECK(input.cloth != nullptr && input.positions != nullptr && input.body != nullptr && input.fabric != nullptr);

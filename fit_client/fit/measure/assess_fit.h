@@ -4,12 +4,10 @@
 
 #include <Eigen/Core>
 
-#include "common/base/executor.h"
-#include "common/base/status.h"
 #include "common/body/body.h"
 #include "common/garment/garment.h"
+#include "common/geometry/triangle_mesh.h"
 #include "fit_client/fit/cloth_mesh.h"
-#include "fit_client/fit/collision/signed_distance_field.h"
 #include "fit_client/fit/measure/zone_fit.h"
 #include "fit_client/fit/solver/fabric.h"
 
@@ -22,8 +20,8 @@ struct AssessInput {
   const ClothMesh* cloth = nullptr;
   const std::vector<Eigen::Vector3d>* positions = nullptr;  // As worn, one a particle (unit: metre).
   const Body* body = nullptr;
-  // What the garment lies on where that is more than the body: body and layers below as one. Null: the body's own mesh.
-  const SignedDistanceField* surface = nullptr;
+  // What is worn below it, closed surfaces; the body is all it lies on where there are none.
+  std::vector<const TriangleMesh*> layers;
   std::vector<GarmentMeasure> measures;                        // For the provenance of zones.
   Eigen::Vector3d gravity = Eigen::Vector3d(0.0, -9.81, 0.0);  // (unit: m/s^2)
 };
@@ -32,8 +30,8 @@ struct AssessInput {
 struct FitMaps {
   std::vector<double> strain;    // Largest principal strain, one a triangle (unit: 1).
   std::vector<double> pressure;  // By Laplace; 0 where the cloth does not lie on the body; one a particle (unit: Pa).
-  std::vector<double> gap;       // From the surface to the cloth, one a particle, at most kLargestGap of the body's own
-                                 // mesh (unit: metre). Empty where it could not be measured.
+  std::vector<double> gap;  // From body and layers to the cloth, one a particle, at most kLargestGap (unit: metre).
+                            // Empty where it could not be measured.
 };
 
 struct FitAssessment {
@@ -44,11 +42,6 @@ struct FitAssessment {
 // Cloth that lies closer to the body than this touches it: the solver keeps 3 mm, and edge middles come no closer than
 // one (unit: metre).
 inline constexpr double kContactGap = 0.006;
-
-// Builds the field for AssessInput::surface: of `surface` (closed: the repaired body, or body and layers below as one),
-// round the worn garment only and coarse, since a map's bands are wide. Fails like SignedDistanceField::Build().
-Result<SignedDistanceField> BuildGapField(const TriangleMesh& surface, const std::vector<Eigen::Vector3d>& positions,
-                                          Executor& executor);
 
 // Measures how a worn garment fits: girths by the garment's own lines, strain from the deformation gradient, pressure
 // by Laplace's law and by the balance of forces. A zone that cannot be measured says why in its note. Positions must be

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -14,6 +15,7 @@ constexpr double kLeastSpan = 0.6;  // Part of a panel's width that a level cut 
 struct CutPiece {
   std::array<Eigen::Vector3d, 2> rest;
   std::array<Eigen::Vector3d, 2> worn;
+  std::array<std::pair<int, int>, 2> edges;  // The cut edges, the lower particle first.
 };
 
 bool IsTorso(const ClothMesh& cloth, const Eigen::Vector3i& triangle) {
@@ -37,10 +39,20 @@ std::optional<CutPiece> Cut(const ClothMesh& cloth, const std::vector<Eigen::Vec
     const auto b = static_cast<size_t>(triangle[static_cast<Eigen::Index>(next)]);
     piece.rest[count] = cloth.rest_positions[a] + t * (cloth.rest_positions[b] - cloth.rest_positions[a]);
     piece.worn[count] = positions[a] + t * (positions[b] - positions[a]);
+    piece.edges[count] = std::minmax(static_cast<int>(a), static_cast<int>(b));
     ++count;
   }
   if (count != 2) return std::nullopt;
   return piece;
+}
+
+std::vector<bool> SewnFlags(const ClothMesh& cloth) {
+  std::vector<bool> is_sewn(cloth.rest_positions.size(), false);
+  for (const SeamPair& pair : cloth.seams) {
+    is_sewn[static_cast<size_t>(pair.a)] = true;
+    is_sewn[static_cast<size_t>(pair.b)] = true;
+  }
+  return is_sewn;
 }
 
 void Add(const CutPiece& piece, GarmentLine& line) {
@@ -54,6 +66,45 @@ void Conclude(GarmentLine& line) {
   line.found = line.worn_girth > 0.0 && line.flat_girth > 0.0;
   if (line.found) line.height /= line.worn_girth;
 }
+
+// Where the line on one panel comes to the panel's border.
+class LineEnds {
+ public:
+  // Takes a cut triangle: an edge that only one of them has is of the border.
+  void Meet(const CutPiece& piece, bool is_torso) {
+    for (const size_t k : {0U, 1U}) {
+      End& end = ends_[piece.edges[k]];
+      ++end.use_count;
+      end.is_torso = end.is_torso || is_torso;
+      end.rest_x = piece.rest[k].x();
+      end.worn = piece.worn[k];
+    }
+  }
+
+  // Writes the outermost ends into `half`; false where an end is no seam, or there is none.
+  bool Find(const std::vector<bool>& is_sewn, LineHalf& half) const {
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = -lowest;
+    for (const auto& [edge, end] : ends_) {
+      if (end.use_count != 1 || !end.is_torso) continue;
+      if (!is_sewn[static_cast<size_t>(edge.first)] || !is_sewn[static_cast<size_t>(edge.second)]) return false;
+      if (end.rest_x < lowest) half.ends[0] = end.worn;
+      if (end.rest_x > highest) half.ends[1] = end.worn;
+      lowest = std::min(lowest, end.rest_x);
+      highest = std::max(highest, end.rest_x);
+    }
+    return lowest < highest;
+  }
+
+ private:
+  struct End {
+    int use_count = 0;
+    bool is_torso = false;
+    double rest_x = 0.0;
+    Eigen::Vector3d worn = Eigen::Vector3d::Zero();
+  };
+  std::map<std::pair<int, int>, End> ends_;
+};
 
 }  // namespace
 
@@ -69,7 +120,7 @@ GarmentLine MeasureLine(const ClothMesh& cloth, const std::vector<Eigen::Vector3
                         const LineHeights& heights) {
   GarmentLine line;
   if (positions.size() != cloth.rest_positions.size()) return line;
-  std::array<bool, 2> has_panel = {false, false};
+  std::array<LineEnds, 2> ends;
   for (const Eigen::Vector3i& triangle : cloth.triangles) {
     const size_t panel = PanelOf(cloth, triangle);
     std::array<double, 3> value = {};
@@ -78,11 +129,25 @@ GarmentLine MeasureLine(const ClothMesh& cloth, const std::vector<Eigen::Vector3
       value[k] = cloth.rest_positions[corner].y() - heights[panel];
     }
     const std::optional<CutPiece> piece = Cut(cloth, positions, triangle, value);
-    if (!piece || !IsTorso(cloth, triangle)) continue;
-    has_panel[panel] = true;
+    if (!piece) continue;
+    const bool is_torso = IsTorso(cloth, triangle);
+    ends[panel].Meet(*piece, is_torso);
+    if (!is_torso) continue;
     Add(*piece, line);
+    LineHalf& half = line.halves[panel];
+    const double worn = (piece->worn[1] - piece->worn[0]).norm();
+    half.worn_length += worn;
+    half.flat_length += (piece->rest[1] - piece->rest[0]).norm();
+    half.height += worn * 0.5 * (piece->worn[0].y() + piece->worn[1].y());
   }
-  if (!has_panel[0] || !has_panel[1]) return {};
+  line.is_closed = true;
+  const std::vector<bool> is_sewn = SewnFlags(cloth);
+  for (const size_t panel : {0U, 1U}) {
+    LineHalf& half = line.halves[panel];
+    if (!(half.worn_length > 0.0)) return {};
+    half.height /= half.worn_length;
+    line.is_closed = ends[panel].Find(is_sewn, half) && line.is_closed;
+  }
   Conclude(line);
   return line;
 }
@@ -140,11 +205,7 @@ GarmentLine MeasureOpening(const ClothMesh& cloth, const std::vector<Eigen::Vect
   for (const Eigen::Vector3i& t : cloth.triangles) {
     for (int k = 0; k < 3; ++k) ++uses[std::minmax(t[k], t[(k + 1) % 3])];
   }
-  std::vector<bool> is_sewn(positions.size(), false);
-  for (const SeamPair& pair : cloth.seams) {
-    is_sewn[static_cast<size_t>(pair.a)] = true;
-    is_sewn[static_cast<size_t>(pair.b)] = true;
-  }
+  const std::vector<bool> is_sewn = SewnFlags(cloth);
   // Each particle of an open border has one or two neighbours on it.
   std::map<int, std::vector<int>> along;
   for (const auto& [edge, count] : uses) {
@@ -167,7 +228,7 @@ GarmentLine MeasureOpening(const ClothMesh& cloth, const std::vector<Eigen::Vect
     for (const int other : along[next[k]]) {
       const auto b = static_cast<size_t>(other);
       // Every edge is met from both its ends: half of it each time.
-      Add({{cloth.rest_positions[a], cloth.rest_positions[b]}, {positions[a], positions[b]}}, line);
+      Add({{cloth.rest_positions[a], cloth.rest_positions[b]}, {positions[a], positions[b]}, {}}, line);
       if (!reached[b]) {
         reached[b] = true;
         next.push_back(other);

@@ -11,6 +11,15 @@
 
 namespace fitroom {
 
+// The part of a line that lies on one panel, from seam to seam.
+struct LineHalf {
+  double worn_length = 0.0;
+  double flat_length = 0.0;
+  double height = 0.0;                                             // Mean, as worn.
+  std::array<Eigen::Vector3d, 2> ends = {Eigen::Vector3d::Zero(),  // As worn: the wearer's right one, the left one.
+                                         Eigen::Vector3d::Zero()};
+};
+
 // A line of the garment's own that runs round the body: level across the flat panels, wherever it lies when worn. Its
 // length does not depend on folds and on how obliquely the cloth hangs, so that drape and flat pattern can be compared.
 struct GarmentLine {
@@ -18,6 +27,9 @@ struct GarmentLine {
   double worn_girth = 0.0;  // Along the cloth as worn; open seams count nothing (unit: metre).
   double flat_girth = 0.0;  // Of the same line at rest: twice the flat width (unit: metre).
   double height = 0.0;      // Mean of the worn line (unit: metre).
+  // False: it runs out of the cloth at a hem or a neckline, and its lengths are not those of a girth.
+  bool is_closed = false;
+  std::array<LineHalf, 2> halves;  // Of the front and of the back panel; MeasureLine() alone fills them.
 };
 
 // The height of a line in the flat frame of the front panel and of the back panel (unit: metre).

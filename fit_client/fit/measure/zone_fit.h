@@ -18,6 +18,11 @@ struct ZoneFit {
   double body_girth = 0.0;     // What a tape measures.
   double garment_girth = 0.0;  // Of the flat garment, twice its width: what it has to give.
   double worn_girth = 0.0;     // The same line of the cloth as worn; longer where it is stretched. 0: not worn.
+  // The least that the worn line can measure: of front and back each its flat length, or the way round body and layers
+  // from seam to seam where that is longer. 0: not known.
+  double least_worn_girth = 0.0;
+  bool is_belted = false;      // A belt holds the worn line at least_worn_girth, however long it is when flat.
+  double layered_girth = 0.0;  // A tape round the body and what is worn below, at this line; 0: nothing is.
   Provenance provenance = Provenance::kMeasured;  // Of the garment's girth.
 
   bool has_strain = false;

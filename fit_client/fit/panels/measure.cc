@@ -12,8 +12,6 @@
 namespace fitroom {
 namespace {
 
-constexpr double kChestBelowUnderarm = 0.025;  // (unit: metre)
-
 const Eigen::Vector2d& PointOf(const PanelPattern& panel, const std::string& name) {
   const Eigen::Vector2d* point = FindPatternPoint(panel, name);
   FR_CHECK(point != nullptr);
