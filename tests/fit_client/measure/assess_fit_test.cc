@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -40,7 +41,9 @@ class AssessFitTest : public ::testing::Test {
       if (y == top) band_.cloth.named_particles.push_back({panel + "e1", static_cast<int>(i)});
       if (y == low) band_.cloth.named_particles.push_back({panel + "e2", static_cast<int>(i)});
     }
+    if (shape_) std::for_each(band_.worn.begin(), band_.worn.end(), shape_);
     AssessInput input;
+    if (!layer_.triangles.empty()) input.layers = {&layer_};
     input.kind = GarmentKind::kSkirt;
     input.fabric = FindFabric("woven");
     input.cloth = &band_.cloth;
@@ -59,6 +62,8 @@ class AssessFitTest : public ::testing::Test {
 
   Body body_;
   Band band_;
+  TriangleMesh layer_;                           // What is worn below, if it has triangles.
+  std::function<void(Eigen::Vector3d&)> shape_;  // Moves the worn band's particles, if set.
 };
 
 // Garment girth less body girth, from the drape and from the flat pattern, within 10 mm, and in order over the sizes.
@@ -73,6 +78,48 @@ TEST_F(AssessFitTest, EaseIsGarmentLessBodyAndGrowsWithTheSize) {
     EXPECT_GT(hip.worn_ease(), last);
     last = hip.worn_ease();
   }
+}
+
+// Wide enough all round, but the seams sit too far back: the front has to stretch, the back keeps its length.
+TEST_F(AssessFitTest, ABodyThatIsWiderInFrontAsksForMoreThanTheFlatGirth) {
+  constexpr double kOn = kRadius + 0.003;
+  const double ease = 0.04;
+  constexpr double kTurn = 0.3;  // Of each seam towards the back (unit: radian).
+  shape_ = [](Eigen::Vector3d& place) {
+    const double angle = std::atan2(place.x(), std::abs(place.z()));  // From the middle of front or back.
+    const double side = place.z() > -1e-9 ? 1.0 : -1.0;  // The seams at z = 0 come out the same either way.
+    const double turned = angle * (1.0 + side * 2.0 * kTurn / kPi);
+    place = {kOn * std::sin(turned), place.y(), side * kOn * std::cos(turned)};
+  };
+  const FitAssessment assessment = Assess(kRadius + ease / (2.0 * kPi), 0.0);
+  const ZoneFit& hip = Zone(assessment, FitZone::kHip);
+  EXPECT_NEAR(hip.ease(), ease, 1e-6);
+  const double flat_half = kPi * kRadius + 0.5 * ease;
+  EXPECT_NEAR(hip.least_worn_girth, kOn * (kPi + 2.0 * kTurn) + flat_half, 1e-3);
+}
+
+// Over another layer the tape goes round that, and the cloth lies on it.
+TEST_F(AssessFitTest, LayersBelowAreMeasuredAndTouched) {
+  constexpr double kLayer = 0.17;
+  layer_ = MakeCylinder(kLayer);
+  const FitAssessment tight = Assess(kLayer + 0.003, 0.1);
+  const ZoneFit& hip = Zone(tight, FitZone::kHip);
+  EXPECT_NEAR(hip.body_girth, 2.0 * kPi * kRadius, 1e-6);
+  EXPECT_NEAR(hip.layered_girth, 2.0 * kPi * kLayer, 1e-3);
+  EXPECT_NEAR(hip.least_worn_girth, 2.0 * kPi * (kLayer + 0.003), 1e-3);
+  EXPECT_NEAR(hip.worn_girth, hip.least_worn_girth, 2e-3);
+  EXPECT_NEAR(hip.contact_share, 1.0, 1e-9);
+  EXPECT_NEAR(hip.gap_mean, 0.003, 1e-4);
+}
+
+// A garment that ends a centimetre above the hip is measured where it is whole; farther up it does not reach it.
+TEST_F(AssessFitTest, AGarmentThatEndsAtThePlaceIsMeasuredJustAboveItsHem) {
+  body_.measurements.hip.height = 0.87;  // The band's lower edge is at 0.88.
+  const ZoneFit near = Zone(Assess(kRadius + 0.01, 0.0), FitZone::kHip);
+  ASSERT_TRUE(near.measured);
+  EXPECT_NEAR(near.garment_girth, 2.0 * kPi * (kRadius + 0.01), 1e-6);
+  body_.measurements.hip.height = 0.84;
+  EXPECT_FALSE(Zone(Assess(kRadius + 0.01, 0.0), FitZone::kHip).measured);
 }
 
 TEST_F(AssessFitTest, StrainPressureAndGapAreThoseOfTheBand) {

@@ -55,6 +55,32 @@ TEST(GarmentLine, IsNotFoundWhereTheHemPassesThroughTheHeight) {
   EXPECT_FALSE(FindLineAt(band.cloth, band.worn, 0.80));
 }
 
+// Where the flat hem runs aslant, level lines near it run out of the cloth: what is left of them is no girth.
+TEST(GarmentLine, IsClosedOnlyFromSeamToSeam) {
+  Band band = MakeBand(0.15, 0.3, 0.0, 0.0, 0.01);
+  for (Eigen::Vector3d& rest : band.cloth.rest_positions) rest.y() += 0.2 * rest.x();
+  const GarmentLine whole = MeasureLine(band.cloth, band.worn, {0.0, 0.0});
+  EXPECT_TRUE(whole.is_closed);
+  for (const double height : {-0.14, 0.14}) {
+    const GarmentLine cut_off = MeasureLine(band.cloth, band.worn, {height, height});
+    EXPECT_TRUE(cut_off.found);
+    EXPECT_FALSE(cut_off.is_closed) << height;
+  }
+}
+
+// Front and back meet at the seams: on a cylinder at its two sides, each half as long as the other.
+TEST(GarmentLine, HasItsHalvesBetweenTheSeams) {
+  const Band band = MakeBand(0.15, 0.3, 0.08, 0.0, 0.01);
+  const GarmentLine line = MeasureLine(band.cloth, band.worn, {0.02, 0.02});
+  for (const LineHalf& half : line.halves) {
+    EXPECT_NEAR(half.flat_length, 0.5 * line.flat_girth, 1e-9);
+    EXPECT_NEAR(half.worn_length, kPi * 0.15, 5e-4);
+    EXPECT_NEAR(half.height, 1.02, 1e-9);
+    EXPECT_NEAR((half.ends[0] - Eigen::Vector3d(-0.15, 1.02, 0.0)).norm(), 0.0, 1e-3);
+    EXPECT_NEAR((half.ends[1] - Eigen::Vector3d(0.15, 1.02, 0.0)).norm(), 0.0, 1e-3);
+  }
+}
+
 TEST(GarmentLine, LeavesSleevesOut) {
   Band band = MakeBand(0.15, 0.3, 0.0, 0.0, 0.01);
   for (const Eigen::Vector3d& rest : band.cloth.rest_positions) {
