@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <utility>
 
@@ -75,6 +76,29 @@ void DescribeInputs(const BodyInput& body, const Garment& garment, const CutGarm
   report.notes = cut.notes;
 }
 
+namespace {
+
+// Cloth that came to rest is caught where it was torn over the body: an edge is this much longer than at rest (unit: 1)
+// or something of it lies so deep in the body (unit: metre). No fabric does that, so that the picture is none of a fit.
+constexpr double kTornStrain = 2.0;
+constexpr double kTornDepth = 1e-3;
+
+void DescribeCaught(const DrapeReport& drape, FitReport& report) {
+  const bool is_torn = drape.strain_max > kTornStrain || drape.deepest_penetration > kTornDepth;
+  if (!is_torn || drape.outcome != DrapeOutcome::kAtRest) return;
+  report.finished = false;
+  report.finishing_reason = "CAUGHT_ON_BODY";
+  char text[240];
+  std::snprintf(
+      text, sizeof(text),
+      "the cloth is caught on the body: somewhere it is stretched to %.1f times its length and %.1f mm deep in "
+      "the body; scan again with arms and legs away from each other, or take a larger size",
+      1.0 + drape.strain_max, 1e3 * drape.deepest_penetration);
+  report.finishing_text = text;
+}
+
+}  // namespace
+
 void DescribeOutcome(const Dressing& dressed, bool is_bottom, const DrapeOptions& options, FitReport& report) {
   const DrapeReport& drape = dressed.report;
   report.finished = drape.outcome == DrapeOutcome::kAtRest && drape.touching_condition_met;
@@ -90,6 +114,7 @@ void DescribeOutcome(const Dressing& dressed, bool is_bottom, const DrapeOptions
       break;
   }
   report.finishing_text = drape.finishing_reason;
+  DescribeCaught(drape, report);
   if (!drape.touching_condition_met) {
     report.warnings.push_back("a shoulder point of the garment hangs " +
                               std::to_string(std::lround(1000.0 * drape.touching_distance_max)) +

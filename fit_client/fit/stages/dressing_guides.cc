@@ -94,6 +94,26 @@ DressingGuides::Level FindLevel(const FrontalMap& map, int side, double middle, 
   return level;
 }
 
+// Refuses a body on which nothing can be put between arm and trunk: seen from the front, most of the way from below the
+// armpit to the wrist shows no gap.
+Status RequireGapBesideArm(const DressingGuides& guides, const LimbAxis& arm, bool left) {
+  constexpr double kBelowArmpit = 0.06;  // So far down scans may be webbed (unit: metre).
+  constexpr double kMostClosed = 0.5;
+  int closed = 0;
+  int count = 0;
+  for (size_t k = 0; k < guides.levels.size(); ++k) {
+    const double y = guides.levels_begin - guides.level_step * static_cast<double>(k);
+    if (y > guides.levels_begin - kBelowArmpit || y < arm.end.y()) continue;
+    ++count;
+    closed += std::isinf(guides.levels[k].arm_begin);
+  }
+  if (closed <= kMostClosed * count) return Status();
+  return FailedPrecondition("ARMS_ALONG_BODY", std::string("the ") + (left ? "left" : "right") +
+                                                   " arm lies along the body or before it, so that a top cannot be "
+                                                   "put on between them; scan again with both arms a hand's breadth "
+                                                   "or more away from the hips");
+}
+
 }  // namespace
 
 Polyline::Polyline(std::vector<Vector2d> points) : points_(std::move(points)) {
@@ -178,6 +198,7 @@ Result<DressingGuides> FindDressingGuides(const Body& body, const FrontalMap& ma
   if (guides.levels.empty()) {
     return FailedPrecondition("TORSO_MISSING", "the scan ends at the armpits; scan the whole body");
   }
+  FR_RETURN_IF_ERROR(RequireGapBesideArm(guides, left ? body.arm_left : body.arm_right, left));
   return guides;
 }
 

@@ -56,7 +56,8 @@ struct DressingGuides {
 };
 
 // Finds the guides of one half of `body`: side is +1 for its left, -1 for its right; clearance in metres.
-// FAILED_PRECONDITION (LANDMARK_MISSING) when the neck, shoulder, armpit or arm was not found on the scan.
+// FAILED_PRECONDITION: LANDMARK_MISSING when the neck, shoulder, armpit or arm was not found on the scan,
+// ARMS_ALONG_BODY when no gap is seen beside most of the arm.
 Result<DressingGuides> FindDressingGuides(const Body& body, const FrontalMap& map, int side, double clearance);
 
 }  // namespace fitroom

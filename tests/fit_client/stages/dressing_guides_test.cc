@@ -38,12 +38,12 @@ void AddBox(TriangleMesh& mesh, const Eigen::Vector3d& low, const Eigen::Vector3
   }
 }
 
-Body MakeDoll() {
+Body MakeDoll(double gap = 0.04) {
   Body body;
-  AddBox(body.mesh, {-0.15, 0.0, -0.1}, {0.15, 1.40, 0.1});     // Torso, up to the shoulder.
-  AddBox(body.mesh, {-0.05, 1.40, -0.05}, {0.05, 1.60, 0.05});  // Neck.
-  AddBox(body.mesh, {-0.15, 1.30, -0.04}, {0.25, 1.40, 0.04});  // Left shoulder.
-  AddBox(body.mesh, {0.19, 0.80, -0.04}, {0.27, 1.40, 0.04});   // Left arm, 4 cm away from the torso.
+  AddBox(body.mesh, {-0.15, 0.0, -0.1}, {0.15, 1.40, 0.1});          // Torso, up to the shoulder.
+  AddBox(body.mesh, {-0.05, 1.40, -0.05}, {0.05, 1.60, 0.05});       // Neck.
+  AddBox(body.mesh, {-0.15, 1.30, -0.04}, {0.25, 1.40, 0.04});       // Left shoulder.
+  AddBox(body.mesh, {0.15 + gap, 0.80, -0.04}, {0.27, 1.40, 0.04});  // Left arm.
   const auto set = [&body](BodyLandmark landmark, double x, double y) {
     body.landmarks[landmark] = {{x, y, 0.0}, 1.0};
   };
@@ -73,6 +73,15 @@ TEST(DressingGuides, TheShoulderLineRunsOverTheShoulderAndDownTheArmOneClearance
   EXPECT_NEAR(guides->shoulder_line.At(0.05).y(), 1.41, 0.006);
   EXPECT_NEAR(guides->shoulder_line.At(0.50).x(), 0.28, 0.006);
   EXPECT_LT(guides->shoulder_line.At(0.50).y(), 1.20);
+}
+
+TEST(DressingGuides, ArmsAlongTheBodyAreRefusedWithARemedy) {
+  const Body doll = MakeDoll(-0.01);
+  const Status status = FindDressingGuides(doll, FrontalMap(doll.mesh, 0.004), +1, 0.01).status();
+  EXPECT_EQ(status.code(), StatusCode::kFailedPrecondition);
+  EXPECT_EQ(status.reason(), "ARMS_ALONG_BODY");
+  EXPECT_NE(status.message().find("left arm"), std::string::npos);
+  EXPECT_NE(status.message().find("scan again with both arms"), std::string::npos);
 }
 
 TEST(DressingGuides, AMissingLandmarkIsNamed) {
