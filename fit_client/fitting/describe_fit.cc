@@ -142,6 +142,10 @@ void DescribeOutcome(const Dressing& dressed, bool is_bottom, const DrapeOptions
       {"speed of 99 % of the particles", "speed_p99", drape.speed_p99, options.rest_speed_of_99_percent, "m/s"});
   report.seams = {drape.seam_pair_count, drape.open_seam_count, drape.seam_gap_mean, drape.seam_gap_p95,
                   drape.final_seam_gap_max};
+  if (!drape.openings.empty()) {
+    report.seams.lacking_girth = drape.openings.front().lacking_girth;
+    report.seams.open_length = drape.openings.front().seam_length;
+  }
   report.penetration = {drape.particles_inside, report.penetration.triangle_sample_count, drape.samples_inside,
                         drape.deepest_penetration};
   report.self_crossing_count = drape.self_crossing_count;

@@ -16,6 +16,12 @@ namespace {
 DressingFacts FactsOf(const Dressing& dressed) {
   DressingFacts facts;
   if (dressed.report.outcome == DrapeOutcome::kSeamsOpen) facts.open_gap = dressed.report.final_seam_gap_max;
+  if (!dressed.report.openings.empty()) {
+    const SeamOpening& widest = dressed.report.openings.front();
+    facts.open_gap = widest.lacking_girth;
+    facts.open_seam = OpeningName(widest);
+    facts.open_length = widest.seam_length;
+  }
   if (dressed.bottom) {
     facts.rise_short = dressed.bottom->rise_short;
     facts.is_belted = dressed.bottom->belt.ease() > 0.0;

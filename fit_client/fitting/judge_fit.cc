@@ -1,6 +1,7 @@
 #include "fit_client/fitting/judge_fit.h"
 
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -55,15 +56,21 @@ size_t IndexOf(const SizeChart& chart, const std::string& size) {
 // The measured zone nearest to the widest open seam.
 FitZone ZoneOfOpenSeam(const FittedGarment& fitted) {
   const std::vector<Eigen::Vector3d>& places = fitted.stages.final;
+  const std::vector<double>& left = fitted.cut.cloth.left_sleeve_weights;
+  const std::vector<double>& right = fitted.cut.cloth.right_sleeve_weights;
   double widest = -1.0;
   double height = 0.0;
+  bool is_sleeve = false;
   for (const SeamPair& pair : fitted.cut.cloth.seams) {
     const Eigen::Vector3d& a = places[static_cast<size_t>(pair.a)];
     const Eigen::Vector3d& b = places[static_cast<size_t>(pair.b)];
     if ((a - b).norm() <= widest) continue;
     widest = (a - b).norm();
     height = 0.5 * (a.y() + b.y());
+    const size_t vertex = static_cast<size_t>(pair.a);
+    is_sleeve = left.size() == places.size() && right.size() == places.size() && left[vertex] + right[vertex] > 0.5;
   }
+  if (is_sleeve) return FitZone::kUpperArm;
   FitZone nearest = PrimaryZone(fitted.input->garment.kind);
   double distance = std::numeric_limits<double>::infinity();
   for (const ZoneFit& zone : fitted.report.zones) {
@@ -110,6 +117,12 @@ void JudgeWorn(const Body& body, std::span<const WornGarment> layers, const Dres
   const size_t index = IndexOf(garment.chart, fitted.cut.size);
   if (index < garment.chart.sizes.size()) verdict.intended = IntendedGirths(garment.chart, index);
   fitted.report.verdict = JudgeSize(verdict);
+  // The drape knows of no zones: the verdict's sentence says where.
+  if (!facts.open_seam.empty()) {
+    char gap[48];
+    std::snprintf(gap, sizeof(gap), "; the seam gapes by %.0f mm", 1000.0 * fitted.report.seams.max);
+    fitted.report.finishing_text = fitted.report.verdict->reason + gap;
+  }
 }
 
 void JudgeChart(const Body& body, FittedGarment& fitted) {

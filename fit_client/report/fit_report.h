@@ -15,10 +15,13 @@ namespace fitroom {
 // How far apart the particles of the seam pairs ended, and how many pairs stayed open.
 struct SeamGapSummary {
   int pair_count = 0;
-  int open_pair_count = 0;  // Pairs that were never welded.
+  int open_pair_count = 0;  // Pairs that are apart at the end.
   double mean = 0.0;        // (unit: metre)
   double p95 = 0.0;         // (unit: metre)
   double max = 0.0;         // (unit: metre)
+  // Where a seam gave way because girth is missing: how much, and over how much seam. 0: nowhere (unit: metre).
+  double lacking_girth = 0.0;
+  double open_length = 0.0;
 };
 
 // What of the garment ended inside the body. Depths are positive; zero when nothing is inside.

@@ -53,7 +53,9 @@ Json SeamsJson(const SeamGapSummary& seams) {
           {"open_pair_count", seams.open_pair_count},
           {"gap_mean_mm", seams.mean * kMillimetres},
           {"gap_p95_mm", seams.p95 * kMillimetres},
-          {"gap_max_mm", seams.max * kMillimetres}};
+          {"gap_max_mm", seams.max * kMillimetres},
+          {"lacking_girth_mm", seams.lacking_girth * kMillimetres},
+          {"open_length_mm", seams.open_length * kMillimetres}};
 }
 
 Json PenetrationJson(const PenetrationSummary& penetration) {

@@ -93,9 +93,42 @@ std::vector<std::string> GarmentsOf(const std::string& outfit) {
 
 Result<std::string> SizeFor(const Garment& garment, const Body& body, int step) {
   if (garment.chart.sizes.empty()) return std::string();
-  FR_ASSIGN_OR_RETURN(const SizeChoice choice, ChooseOwnSize(garment, body));
-  const int last = static_cast<int>(garment.chart.sizes.size()) - 1;
-  return garment.chart.sizes[static_cast<size_t>(std::clamp(choice.index + step, 0, last))].name;
+  Garment as_sold = garment;  // Without the sizes that ExtendChart() added.
+  std::erase_if(as_sold.chart.sizes,
+                [](const GarmentSize& size) { return size.name[0] == '<' || size.name[0] == '>'; });
+  FR_ASSIGN_OR_RETURN(const SizeChoice choice, ChooseOwnSize(as_sold, body));
+  const std::string& chosen = as_sold.chart.sizes[static_cast<size_t>(choice.index)].name;
+  const std::vector<GarmentSize>& sizes = garment.chart.sizes;
+  const auto at =
+      std::find_if(sizes.begin(), sizes.end(), [&](const GarmentSize& size) { return size.name == chosen; });
+  const int last = static_cast<int>(sizes.size()) - 1;
+  return sizes[static_cast<size_t>(std::clamp(static_cast<int>(at - sizes.begin()) + step, 0, last))].name;
+}
+
+// One size more at an end of a chart: as far from the last one as that is from its neighbour.
+GarmentSize SizeBeyond(const GarmentSize& neighbour, const GarmentSize& last) {
+  GarmentSize beyond = last;
+  const auto go_on = [](const std::vector<GarmentMeasure>& from, std::vector<GarmentMeasure>& measures) {
+    for (GarmentMeasure& measure : measures) {
+      const GarmentMeasure* before = FindMeasure(from, measure.name);
+      if (before != nullptr) measure.value += measure.value - before->value;
+    }
+  };
+  go_on(neighbour.measures, beyond.measures);
+  go_on(neighbour.body, beyond.body);
+  return beyond;
+}
+
+// Bodies at an end of the chart are to get a garment that is really so many steps off: the chart goes on as it ends.
+void ExtendChart(int steps, SizeChart& chart) {
+  if (chart.sizes.size() < 2) return;
+  for (int step = 1; step <= std::abs(steps); ++step) {
+    const size_t count = chart.sizes.size();
+    GarmentSize beyond = steps < 0 ? SizeBeyond(chart.sizes[1], chart.sizes[0])
+                                   : SizeBeyond(chart.sizes[count - 2], chart.sizes[count - 1]);
+    beyond.name = (steps < 0 ? "<" : ">") + std::to_string(step);
+    chart.sizes.insert(steps < 0 ? chart.sizes.begin() : chart.sizes.end(), beyond);
+  }
 }
 
 Row MakeRow(const FittedGarment& fitted) {
@@ -258,6 +291,7 @@ int Run(const Flags& flags) {
         std::fprintf(stderr, "%s: %s\n", name.c_str(), garment.status().message().c_str());
         return 1;
       }
+      ExtendChart(flags.step, garment->garment.chart);
       wardrobe.emplace(name, std::move(garment).value());
     }
   }

@@ -154,6 +154,12 @@ std::string GoodSentence(const VerdictInput& input) {
   return "nothing pulls and nothing hangs";
 }
 
+// " (left side seam, open over 12 cm)".
+std::string OpenSeamWords(const DressingFacts& facts) {
+  if (facts.open_seam.empty()) return "";
+  return " (" + facts.open_seam + ", open over " + Centimetres(facts.open_length) + ")";
+}
+
 // What dressing itself found weighs like a zone's word.
 std::optional<ZoneVerdict> JudgeFacts(const VerdictInput& input) {
   ZoneVerdict verdict;
@@ -204,8 +210,9 @@ SizeVerdict JudgeSize(const VerdictInput& input) {
     result.verdict = facts->verdict;
     result.has_deciding_zone = true;
     result.deciding_zone = facts->zone;
-    result.reason = facts->verdict == FitVerdict::kDoesNotFit && input.facts.open_gap > 0.0 ? Sentence(input, *facts)
-                                                                                            : facts->reason;
+    result.reason = facts->verdict == FitVerdict::kDoesNotFit && input.facts.open_gap > 0.0
+                        ? Sentence(input, *facts) + OpenSeamWords(input.facts)
+                        : facts->reason;
     result.is_close = false;
   } else if (worst != nullptr) {
     result.verdict = worst->verdict;

@@ -29,10 +29,14 @@ struct IntendedGirth {
 
 // What dressing found out that no tape says. All zero: nothing, or the size was not dressed.
 struct DressingFacts {
-  double open_gap = 0.0;  // Of a seam or waistband that does not close (unit: metre).
+  // By how much a seam does not close: the girth that is missing of the body's with what it wears, the garment
+  // stretched to its fabric's limit; the seam gapes by as much (unit: metre).
+  double open_gap = 0.0;
   FitZone open_zone = FitZone::kHip;
-  double rise_short = 0.0;  // By how much a bottom's rise ends before the waist (unit: metre).
-  bool is_belted = false;   // A bottom's waist was gathered by a belt.
+  std::string open_seam;     // "left side seam"; empty where it is not known.
+  double open_length = 0.0;  // Of open seam (unit: metre).
+  double rise_short = 0.0;   // By how much a bottom's rise ends before the waist (unit: metre).
+  bool is_belted = false;    // A bottom's waist was gathered by a belt.
 };
 
 // Everything a verdict rests on. Views are of the call only.

@@ -20,10 +20,9 @@ void Conclude(DrapeRun& run) {
   char text[200] = "";
   if (report.outcome == DrapeOutcome::kSeamsOpen && !report.openings.empty()) {
     const SeamOpening& opening = report.openings.front();
-    std::snprintf(text, sizeof(text), "does not close by %.0f mm: the %s %s is open over %.0f cm, a gap of %.0f mm%s",
-                  opening.lacking_girth * 1e3, opening.is_left ? "left" : "right",
-                  opening.is_sleeve ? "sleeve's seam" : "side seam", opening.seam_length * 100.0, opening.gap * 1e3,
-                  report.is_open_at_rest ? "" : "; not at rest at the step limit");
+    std::snprintf(text, sizeof(text), "does not close by %.0f mm: the %s is open over %.0f cm, a gap of %.0f mm%s",
+                  opening.lacking_girth * 1e3, OpeningName(opening).c_str(), opening.seam_length * 100.0,
+                  opening.gap * 1e3, report.is_open_at_rest ? "" : "; not at rest at the step limit");
   } else if (report.outcome == DrapeOutcome::kSeamsOpen) {
     size_t worst = 0;
     for (size_t index = 0; index < gaps.size(); ++index) {
@@ -41,6 +40,8 @@ void Conclude(DrapeRun& run) {
                   report.draping_substeps, report.speed_p99 * 1e3);
   }
   report.finishing_reason = text;
+  report.open_seam_count = static_cast<int>(
+      std::count_if(gaps.begin(), gaps.end(), [&](double gap) { return gap > run.options.closed_gap; }));
   report.final_seam_gap_max = gaps.empty() ? 0.0 : Percentile(gaps, 1.0);
 }
 
@@ -124,6 +125,10 @@ std::string_view DrapeOutcomeName(DrapeOutcome outcome) {
       return "not_at_rest";
   }
   return "";
+}
+
+std::string OpeningName(const SeamOpening& opening) {
+  return std::string(opening.is_left ? "left " : "right ") + (opening.is_sleeve ? "sleeve's seam" : "side seam");
 }
 
 std::vector<Eigen::Vector3d> SeparateSeamPartners(const ClothMesh& mesh, std::span<const Eigen::Vector3d> positions,

@@ -92,6 +92,9 @@ struct SeamOpening {
   bool is_sleeve = false;                           // A sleeve's underside; else a side seam or outseam.
 };
 
+// "left side seam", "right sleeve's seam".
+std::string OpeningName(const SeamOpening& opening);
+
 // How and when dressing ends. Rates are per second and sizes in metres, so that they fit any mesh.
 struct DrapeOptions {
   ClothMaterial material;

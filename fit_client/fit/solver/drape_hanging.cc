@@ -50,6 +50,7 @@ constexpr int kOpeningSubsteps = 256;    // Of 0.5 ms: seams that give way are o
 constexpr int kOpeningInterval = 16;     // substeps between looks at them,
 constexpr double kTieError = 0.003;      // and hoops no longer than the fabric's limit and this (unit: metre).
 constexpr int kAdjustingWindows = 30;    // Under gravity their ties are adjusted for so long.
+constexpr int kOpenSubstepLimit = 6000;  // Of hanging with open seams, a round.
 constexpr int kOpeningRounds = 3;        // A seam may give way once its neighbour has.
 
 // The mean edge of the mesh, within what the steps were tuned on (unit: metre).
@@ -374,7 +375,10 @@ Status HangingGarment::ComeToRest(bool starts_worn) {
   solver_.SetMotion(motion);
 
   int window_count = 0;
-  const int substep_limit = report.draping_substeps + options.draping_substep_limit;
+  // An open garment that trembles is shown all the same, and says that it is not at rest.
+  const int substep_limit =
+      report.draping_substeps +
+      (HasTies() ? std::min(kOpenSubstepLimit, options.draping_substep_limit) : options.draping_substep_limit);
   int samples_too_close = 1;
   std::vector<Eigen::Vector3d> before = ClothSolver::Positions(state_, model_.particle_count());
   while (report.draping_substeps < substep_limit) {
@@ -399,13 +403,6 @@ Status HangingGarment::ComeToRest(bool starts_worn) {
                                : samples_too_close == 0 ? kRestWindows
                                                         : kPatientRestWindows;
     const bool may_end = windows_at_rest_ >= windows_needed;
-    if (getenv("DBG"))
-      fprintf(stderr,
-              "DBG n=%d w=%d sub=%d p99=%.4f max=%.4f share=%.4f close=%d rest=%d need=%d contacts=%d cross=%d "
-              "irons=%d dt=%g\n",
-              model_.particle_count(), window_count, report.draping_substeps, report.speed_p99, report.speed_max,
-              report.share_at_rest, samples_too_close, windows_at_rest_, windows_needed,
-              self_collision_.contact_count(), self_collision_.crossing_count(), ironing_count_, motion.time_step);
     const bool may_iron = window_count <= kRaisingWindows && (may_end || window_count % kIroningInterval == 0);
     const bool was_tangled = may_iron && IronTangles();
     if (may_end && !was_tangled) break;

@@ -67,6 +67,10 @@ TEST(SizeVerdict, SaysWhatAShopperUnderstands) {
   VerdictInput open = Trousers(0.02, 0.06, 0.05);
   open.facts.open_gap = 0.018;
   EXPECT_EQ(JudgeSize(open).reason, "does not close by 18 mm at the hip");
+  open.facts.open_seam = "left side seam";
+  open.facts.open_length = 0.12;
+  EXPECT_EQ(JudgeSize(open).reason, "does not close by 18 mm at the hip (left side seam, open over 12 cm)");
+  EXPECT_EQ(JudgeSize(open).verdict, FitVerdict::kDoesNotFit);
 }
 
 // Wovens: stretched by 2 to 5 % snug, 5 to 10 % tight, above 10 % they cannot be worn. A knit that declares s is tight
