@@ -13,18 +13,20 @@
 namespace fitroom {
 namespace {
 
-constexpr double kSlack = 0.002;            // (unit: metre)
-constexpr double kLongestEdge = 1.3;        // Crossings of longer edges may be seen late (unit: mean edge).
-constexpr double kReachOfEdge = 0.76;       // sqrt(1/2^2 + 1/3): from an edge's end to the corner of a triangle that it
-                                            // crosses in the middle (unit: edge).
-constexpr int kCheckInterval = 8;           // Substeps between looks at how far particles have moved.
-constexpr int kUntangleInterval = 16;       // Substeps between looks while cloth passes through cloth.
-constexpr int kLargestStrikes = 12;         // Looks on the wrong side after which a side is given up.
-constexpr float kHeldShare = 0.6F;          // Of the gap to keep: what is less could not be kept.
-constexpr double kKeptOffset = 0.5;         // Of the offset from the body, where layers have been ironed,
-constexpr double kFineEdge = 0.012;         // on meshes so fine that no edge cuts through the body then (unit: metre).
-constexpr int kLeftRings = 2;               // Edges round a crossing that are given up with it.
-constexpr double kLargestPushSpeed = 0.25;  // Of a contact that is violated (unit: m/s).
+constexpr double kSlack = 0.002;       // (unit: metre)
+constexpr double kLongestEdge = 1.3;   // Crossings of longer edges may be seen late (unit: mean edge).
+constexpr double kReachOfEdge = 0.76;  // sqrt(1/2^2 + 1/3): from an edge's end to the corner of a triangle that it
+                                       // crosses in the middle (unit: edge).
+constexpr int kCheckInterval = 8;      // Substeps between looks at how far particles have moved.
+constexpr int kFew = 500;              // One of so many particles may move farther
+constexpr int kPatience = 32;          // for so many substeps.
+constexpr double kUntangleInterval = 0.005;  // Between looks while cloth passes through cloth (unit: second).
+constexpr int kLargestStrikes = 12;          // Looks on the wrong side after which a side is given up.
+constexpr float kHeldShare = 0.6F;           // Of the gap to keep: what is less could not be kept.
+constexpr double kKeptOffset = 0.5;          // Of the offset from the body, where layers have been ironed,
+constexpr double kFineEdge = 0.012;          // on meshes so fine that no edge cuts through the body then (unit: metre).
+constexpr int kLeftRings = 2;                // Edges round a crossing that are given up with it.
+constexpr double kLargestPushSpeed = 0.25;   // Of a contact that is violated (unit: m/s).
 
 __m128 Load(const Float4& value) { return _mm_load_ps(&value.x); }
 void Store(Float4& target, __m128 value) { _mm_store_ps(&target.x, value); }
@@ -159,9 +161,11 @@ void SelfCollision::GiveIn() {
 
 bool SelfCollision::HasMoved(const ClothState& state) const {
   const float squared_limit = 0.25F * slack_ * slack_;
+  // A few that tremble are not worth a look each time.
+  int patience = substeps_since_look_ < kPatience ? model_.particle_count() / kFew : 0;
   for (size_t particle = 0; particle < static_cast<size_t>(model_.particle_count()); ++particle) {
     const __m128 way = _mm_sub_ps(Load(state.positions[particle]), Load(reference_[particle]));
-    if (Dot3(way, way) > squared_limit) return true;
+    if (Dot3(way, way) > squared_limit && --patience < 0) return true;
   }
   return false;
 }
@@ -170,7 +174,7 @@ void SelfCollision::Solve(ClothState& state, double time_step) {
   if (reference_.size() != state.positions.size()) {
     Refresh(state);
   } else if (substeps_since_look_ % kCheckInterval == 0 && substeps_since_look_ > 0) {
-    const bool is_due = !crossings_.empty() && substeps_since_look_ >= kUntangleInterval;
+    const bool is_due = !crossings_.empty() && seconds_since_look_ >= kUntangleInterval;
     if (is_due || HasMoved(state)) Refresh(state);
   }
   ++substeps_since_look_;

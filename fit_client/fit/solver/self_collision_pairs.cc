@@ -29,8 +29,17 @@ uint64_t KeyOf(int first, int second) {
 class EncounterSearch {
  public:
   EncounterSearch(const ClothModel& model, const SelfCollisionTopology& topology, const NumberLists& near,
-                  std::span<const Float4> positions, std::span<const Float4> planes, float reach)
-      : model_(model), topology_(topology), near_(near), positions_(positions), planes_(planes), reach_(reach) {}
+                  std::span<const Float4> positions, std::span<const Float4> planes, std::span<const Float4> middles,
+                  float reach)
+      : model_(model),
+        topology_(topology),
+        near_(near),
+        positions_(positions),
+        planes_(planes),
+        middles_(middles),
+        reach_(reach),
+        triangle_marks_(planes.size(), 0),
+        edge_marks_(middles.size(), 0) {}
 
   void LookAtVertices(int begin, int end, std::vector<ClothContact>& contacts);
   void LookAtEdges(int begin, int end, std::vector<ClothContact>& contacts, std::vector<ClothCrossing>& crossings);
@@ -49,29 +58,50 @@ class EncounterSearch {
   void AddEdgeContact(int first, int second, std::vector<ClothContact>& contacts) const;
   void AddCrossing(int edge, int triangle, std::vector<ClothCrossing>& crossings) const;
   void Finish(ClothContact& contact, const Vector3f& normal, float gap) const;
-  // The items of the lists of `particles`' near ones, each once, ascending, from `lowest` on.
-  void Collect(std::span<const int> particles, const NumberLists& lists, int lowest);
+  // Whether two edges are so near that a contact between them is possible.
+  bool AreNear(int first, int second) const {
+    const Float4& a = middles_[static_cast<size_t>(first)];
+    const Float4& b = middles_[static_cast<size_t>(second)];
+    const float x = a.x - b.x;
+    const float y = a.y - b.y;
+    const float z = a.z - b.z;
+    const float reach = (1.0F + 2.0F * kBeyond) * (a.w + b.w) + reach_;
+    return x * x + y * y + z * z <= reach * reach;
+  }
+  // The items of the lists of `particles`' near ones that are to be kept, each once, ascending. Most are met several
+  // times: `marks`, one an item, tells those that were looked at.
+  template <typename Keep>
+  void Collect(std::span<const int> particles, const NumberLists& lists, std::vector<int>& marks, const Keep& keep);
 
   const ClothModel& model_;
   const SelfCollisionTopology& topology_;
   const NumberLists& near_;
   std::span<const Float4> positions_;
-  std::span<const Float4> planes_;  // One a triangle: unit normal, offset.
+  std::span<const Float4> planes_;   // One a triangle: unit normal, offset.
+  std::span<const Float4> middles_;  // One an edge: its middle, half its length.
   float reach_;
+  std::vector<int> triangle_marks_;
+  std::vector<int> edge_marks_;
+  int mark_ = 0;  // Of the current collection.
   std::vector<int> candidates_;
 };
 
-void EncounterSearch::Collect(std::span<const int> particles, const NumberLists& lists, int lowest) {
+template <typename Keep>
+void EncounterSearch::Collect(std::span<const int> particles, const NumberLists& lists, std::vector<int>& marks,
+                              const Keep& keep) {
   candidates_.clear();
+  ++mark_;
   for (const int particle : particles) {
     for (const int other : near_.Of(particle)) {
       for (const int item : lists.Of(other)) {
-        if (item >= lowest) candidates_.push_back(item);
+        int& mark = marks[static_cast<size_t>(item)];
+        if (mark == mark_) continue;
+        mark = mark_;
+        if (keep(item)) candidates_.push_back(item);
       }
     }
   }
   std::sort(candidates_.begin(), candidates_.end());
-  candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
 }
 
 // Completes a contact from its particles, weights and the direction from the second place to the first.
@@ -194,7 +224,8 @@ void EncounterSearch::AddCrossing(int edge, int triangle, std::vector<ClothCross
 void EncounterSearch::LookAtVertices(int begin, int end, std::vector<ClothContact>& contacts) {
   for (int particle = begin; particle < end; ++particle) {
     if (near_.Of(particle).empty()) continue;
-    Collect({&particle, 1}, topology_.triangles_of_particle, 0);
+    Collect({&particle, 1}, topology_.triangles_of_particle, triangle_marks_,
+            [&](int triangle) { return std::abs(Height(triangle, particle)) <= reach_; });
     for (const int triangle : candidates_) AddVertexContact(particle, triangle, contacts);
   }
 }
@@ -204,13 +235,12 @@ void EncounterSearch::LookAtEdges(int begin, int end, std::vector<ClothContact>&
   for (int edge = begin; edge < end; ++edge) {
     const std::array<int, 2>& ends = model_.edges()[static_cast<size_t>(edge)];
     if (near_.Of(ends[0]).empty() && near_.Of(ends[1]).empty()) continue;
-    Collect(ends, topology_.edges_of_particle, edge + 1);
+    Collect(ends, topology_.edges_of_particle, edge_marks_,
+            [&](int other) { return other > edge && AreNear(edge, other); });
     for (const int other : candidates_) AddEdgeContact(edge, other, contacts);
-    Collect(ends, topology_.triangles_of_particle, 0);
-    for (const int triangle : candidates_) {
-      if ((Height(triangle, ends[0]) < 0.0F) == (Height(triangle, ends[1]) < 0.0F)) continue;
-      AddCrossing(edge, triangle, crossings);
-    }
+    Collect(ends, topology_.triangles_of_particle, triangle_marks_,
+            [&](int triangle) { return (Height(triangle, ends[0]) < 0.0F) != (Height(triangle, ends[1]) < 0.0F); });
+    for (const int triangle : candidates_) AddCrossing(edge, triangle, crossings);
   }
 }
 
@@ -235,10 +265,21 @@ ClothEncounters FindEncounters(const ClothModel& model, const SelfCollisionTopol
       planes[static_cast<size_t>(index)] = {normal.x(), normal.y(), normal.z(), normal.dot(at(0))};
     }
   });
+  const size_t edge_count = model.edges().size();
+  std::vector<Float4> middles(edge_count);
+  executor.Run(kTaskCount, [&](int task) {
+    for (int index = begin_of(task, edge_count); index < begin_of(task + 1, edge_count); ++index) {
+      const auto& [i, j] = model.edges()[static_cast<size_t>(index)];
+      const Float4& a = positions[static_cast<size_t>(i)];
+      const Float4& b = positions[static_cast<size_t>(j)];
+      const Vector3f half(0.5F * (b.x - a.x), 0.5F * (b.y - a.y), 0.5F * (b.z - a.z));
+      middles[static_cast<size_t>(index)] = {a.x + half.x(), a.y + half.y(), a.z + half.z(), half.norm()};
+    }
+  });
   std::vector<ClothEncounters> vertices(kTaskCount);
   std::vector<ClothEncounters> edges(kTaskCount);
   executor.Run(2 * kTaskCount, [&](int task) {
-    EncounterSearch search(model, topology, near, positions, planes, reach);
+    EncounterSearch search(model, topology, near, positions, planes, middles, reach);
     const int part = task / 2;
     if (task % 2 == 0) {
       const size_t count = static_cast<size_t>(model.particle_count());
