@@ -13,7 +13,7 @@
 namespace fitroom {
 namespace {
 
-constexpr double kSlack = 0.002;       // (unit: metre)
+constexpr double kSlack = 0.003;       // (unit: metre)
 constexpr double kLongestEdge = 1.3;   // Crossings of longer edges may be seen late (unit: mean edge).
 constexpr double kReachOfEdge = 0.76;  // sqrt(1/2^2 + 1/3): from an edge's end to the corner of a triangle that it
                                        // crosses in the middle (unit: edge).
