@@ -45,7 +45,12 @@ Json ZonesJson(const std::vector<ZoneFit>& zones) {
       if (zone.worn_girth > 0.0) {
         object["worn_cm"] = zone.worn_girth * kCentimetres;
         object["worn_ease_cm"] = zone.worn_ease() * kCentimetres;
+        object["belted"] = zone.is_belted;
       }
+    }
+    if (zone.measured && zone.layered_girth > 0.0) {
+      object["layered_cm"] = zone.layered_girth * kCentimetres;
+      object["ease_over_layers_cm"] = (zone.garment_girth - zone.layered_girth) * kCentimetres;
     }
     if (zone.has_strain) {
       object["strain"] = StrainOf(zone);

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Dresses every body of the external test data in five outfits of drawn garments, in the size that its bust or hip names.
 #   tests/bench/population.sh BUILD DATA [further options of population_bench, for example --every 10 or --step -2]
-# BUILD: the build's folder (build/release); DATA: the external test data. Prints a line a garment and a table an outfit.
+# BUILD: the build's folder (build/release); DATA: the external test data. Prints a line a garment, a table of
+# the outfits, one of worn girths against what they have to be and, with --all-sizes, the ease of every size.
 # Without the data it ends with 77, which the test runner takes for a skipped test.
 set -euo pipefail
 build=$1 data=$2

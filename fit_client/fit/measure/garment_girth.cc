@@ -7,6 +7,9 @@
 #include <set>
 #include <utility>
 
+#include "fit_client/fit/measure/contact_pressure.h"
+#include "fit_client/fit/measure/garment_line.h"
+
 namespace fitroom {
 namespace {
 
@@ -29,34 +32,9 @@ struct Chain {
   bool ends_may_be_bridged = false;
 };
 
-// Says whether a triangle belongs to a sleeve by the mean of its corners' weights. Nobody knows: it does not.
+// Says whether a triangle belongs to a sleeve. Nobody knows: it does not.
 bool IsSleeve(const ClothMesh& cloth, const Eigen::Vector3i& triangle) {
-  for (const std::vector<double>* weights : {&cloth.left_sleeve_weights, &cloth.right_sleeve_weights}) {
-    if (weights->size() != cloth.rest_positions.size()) continue;
-    double sum = 0.0;
-    for (const int corner : triangle) sum += (*weights)[static_cast<size_t>(corner)];
-    if (sum > 1.5) return true;
-  }
-  return false;
-}
-
-// Particles that are sewn onto each other are one point of the section.
-std::vector<int> SewParticles(const ClothMesh& cloth, const std::vector<Eigen::Vector3d>& positions) {
-  constexpr double kSewnGap = 2e-3;  // (unit: metre)
-  std::vector<int> sewn(positions.size());
-  for (size_t i = 0; i < sewn.size(); ++i) sewn[i] = static_cast<int>(i);
-  const auto root = [&sewn](int i) {
-    while (sewn[static_cast<size_t>(i)] != i) i = sewn[static_cast<size_t>(i)];
-    return i;
-  };
-  for (const SeamPair& pair : cloth.seams) {
-    if ((positions[static_cast<size_t>(pair.a)] - positions[static_cast<size_t>(pair.b)]).norm() > kSewnGap) continue;
-    const int a = root(pair.a);
-    const int b = root(pair.b);
-    sewn[static_cast<size_t>(std::max(a, b))] = std::min(a, b);
-  }
-  for (size_t i = 0; i < sewn.size(); ++i) sewn[i] = root(static_cast<int>(i));
-  return sewn;
+  return std::max(SleevePart(cloth, triangle, true), SleevePart(cloth, triangle, false)) > 0.5;
 }
 
 using Edge = std::pair<int, int>;  // Of sewn particles, the lower first.
