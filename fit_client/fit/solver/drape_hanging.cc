@@ -108,6 +108,7 @@ class HangingGarment {
   }
 
   Status Settle() {
+    ironing_count_ = kFirmIronings;  // What the coarse mesh could not untangle has no room here either.
     IronTangles();
     if (run_.options.attach) {
       FR_RETURN_IF_ERROR(LayBelt());

@@ -13,7 +13,8 @@
 namespace fitroom {
 namespace {
 
-constexpr double kSlack = 0.003;       // (unit: metre)
+constexpr double kSlack = 0.003;       // At most (unit: metre),
+constexpr double kSlackOfEdge = 0.3;   // and on fine meshes, where more particles are near (unit: mean edge).
 constexpr double kLongestEdge = 1.3;   // Crossings of longer edges may be seen late (unit: mean edge).
 constexpr double kReachOfEdge = 0.76;  // sqrt(1/2^2 + 1/3): from an edge's end to the corner of a triangle that it
                                        // crosses in the middle (unit: edge).
@@ -53,7 +54,7 @@ SelfCollision::SelfCollision(const ClothModel& model, const SelfCollisionOptions
   const double edge = topology_.mean_edge_length;
   thickness_ = static_cast<float>(std::min(options.thickness, 0.25 * edge));
   friction_ = static_cast<float>(options.friction_coefficient);
-  slack_ = static_cast<float>(kSlack);
+  slack_ = static_cast<float>(std::min(kSlack, kSlackOfEdge * edge));
   search_radius_ = static_cast<float>(kReachOfEdge * kLongestEdge * edge) + thickness_;
 }
 
