@@ -1,3 +1,5 @@
+#include <cmath>
+#include <cstdio>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -235,6 +237,63 @@ TEST(WornKinds, DressedFromCoarseToFineTheSkirtHangsWhereTheCoarseOneHung) {
     EXPECT_NEAR(MeanHeight(fine, worn.stages.final, corner), MeanHeight(coarse, alone.stages.final, corner), 0.01);
   }
   EXPECT_EQ(worn.stages.belted.size(), fine.rest_positions.size());
+}
+
+// A woven skirt that is a fifth too narrow: its side seam gapes by the girth that is missing, which a tape round the
+// body's hip and the drawing's formula know without any cloth.
+TEST(WornKinds, ASkirtThatDoesNotCloseGapesByTheGirthThatIsMissing) {
+  FR_REQUIRE_TEST_DATA();
+  const Wearer wearer("p001");
+  ThreadPool executor(2);
+  ClothMesh cloth = Cut(GarmentKind::kSkirt, testing::DrawKind(GarmentKind::kSkirt));
+  const double hip = wearer.scan.body.measurements.hip.girth;
+  DressingOptions options;
+  options.drape.limit_strain = 0.1;
+  const double girth_of_layer = hip + 2.0 * M_PI * options.drape.contact_offset;
+  const double missing = 0.08;
+  const double width_share =
+      (girth_of_layer - missing) / (1.0 + options.drape.limit_strain) / (4.0 * testing::DrawnSkirt().half_hip);
+  for (Eigen::Vector3d& place : cloth.rest_positions) place.x() *= width_share;
+  const Result<Dressing> worn =
+      DressGarment(cloth, GarmentKind::kSkirt, {wearer.scan.body, wearer.collider, {}}, options, executor, {});
+  ASSERT_TRUE(worn.ok()) << worn.status().ToString();
+  EXPECT_EQ(worn->report.outcome, DrapeOutcome::kSeamsOpen) << worn->report.finishing_reason;
+  ASSERT_FALSE(worn->report.openings.empty());
+  EXPECT_NEAR(worn->report.openings[0].lacking_girth, missing, 0.025) << worn->report.finishing_reason;
+  EXPECT_NEAR(worn->report.openings[0].gap, worn->report.openings[0].lacking_girth, 0.015);
+  EXPECT_LT(worn->report.strain_max, 2.0);
+  EXPECT_EQ(CountInside(wearer.scan.body.mesh, worn->stages.final), 0);
+}
+
+// Trousers say in words what a belt and the waist's height show: too wide, and short of rise by what was taken off it.
+TEST(WornKinds, TrousersSayThatTheyAreBeltedAndThatTheirRiseIsShort) {
+  FR_REQUIRE_TEST_DATA();
+  const Wearer wearer("p001");
+  ThreadPool executor(2);
+  const ClothMesh cloth = Cut(GarmentKind::kPants, testing::DrawKind(GarmentKind::kPants));
+  ClothMesh wide = cloth;
+  for (Eigen::Vector3d& place : wide.rest_positions) place.x() *= 1.25;
+  const Dressing belted = wearer.PutOn(GarmentKind::kPants, wide, {}, executor).value();
+  const double ease = belted.bottom->belt.garment_girth - belted.bottom->belt.body_girth;
+  ASSERT_GT(ease, 0.03);
+  char expected[64];
+  std::snprintf(expected, sizeof(expected), "waist %.1f cm too wide, belted", 100.0 * ease);
+  EXPECT_EQ(belted.bottom->sentences.front(), expected);
+
+  constexpr double kTakenOff = 0.15;
+  const double depth = testing::DrawnTrousers().crotch;
+  ClothMesh low = cloth;
+  for (Eigen::Vector3d& place : low.rest_positions) {
+    if (place.y() > -depth) place.y() = -depth + (place.y() + depth) * (1.0 - kTakenOff / depth);
+  }
+  const Dressing usual = wearer.PutOn(GarmentKind::kPants, cloth, {}, executor).value();
+  const Dressing short_rise = wearer.PutOn(GarmentKind::kPants, low, {}, executor).value();
+  const double lower_by = usual.bottom->belt.height - short_rise.bottom->belt.height;
+  EXPECT_GT(lower_by, 0.5 * kTakenOff);  // Less than all: the hips carry some of it.
+  EXPECT_LT(lower_by, kTakenOff + 0.025);
+  ASSERT_GT(short_rise.bottom->rise_short, usual.bottom->rise_short);
+  std::snprintf(expected, sizeof(expected), "rise short by %.0f mm", 1000.0 * short_rise.bottom->rise_short);
+  EXPECT_EQ(short_rise.bottom->sentences.back(), expected);
 }
 
 }  // namespace
