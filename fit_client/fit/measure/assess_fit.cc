@@ -23,6 +23,7 @@ namespace {
 constexpr double kBelowCrotch = 0.015;  // Where the thigh of trousers is measured (unit: metre).
 constexpr double kBelowTopEdge = 0.01;  // The cloth of a bottom's waist lies round this, below its edge (unit: metre).
 constexpr double kAboveHem = 0.01;      // (unit: metre)
+constexpr double kAboveAnkle = 0.03;    // From the ankle bone to where a leg is narrowest (unit: metre).
 constexpr double kHemReach = 0.03;      // A garment that ends so near below a place is measured above it (unit: metre),
 constexpr double kHemStep = 0.0025;     // at the first of these steps where its line is whole (unit: metre).
 constexpr double kBodyOffset = 0.003;   // Cloth that lies on the body is this far from it (unit: metre).
@@ -322,11 +323,23 @@ class Assessor {
     }
     const GarmentLine line = MeasureLine(cloth_, positions_, *heights);
     if (line.found) {
-      const std::optional<double> body = has_legs ? tape_.LegAt(line.height) : tape_.TrunkAt(line.height);
+      const std::optional<double> body =
+          has_legs ? tape_.LegAt(std::max(line.height, LowestOfLeg())) : tape_.TrunkAt(line.height);
       zone.fit.body_girth = body.value_or(0.0);
     }
     TakeLine(*heights, has_legs ? 2 : 1, "hem", zone);
     return zone;
+  }
+
+  // Above the ankles: what hangs lower lies on the foot, whose section is no girth of the leg. 0 where they are
+  // unknown.
+  double LowestOfLeg() const {
+    double lowest = 0.0;
+    for (const BodyLandmark landmark : {BodyLandmark::kAnkleLeft, BodyLandmark::kAnkleRight}) {
+      if (body_.landmarks[landmark].confidence <= 0.0) continue;
+      lowest = std::max(lowest, body_.landmarks[landmark].position.y() + kAboveAnkle);
+    }
+    return lowest;
   }
 
   int FindParticle(std::string_view name) const {
