@@ -18,6 +18,7 @@ Result<int64_t> ChunkCollector::Accept(const fitroom::common::v1::Chunk& chunk) 
   }
   const int64_t size = std::ssize(chunk.data());
   if (NextOffset() + size > upload_.stated_size) {
+    FR_RETURN_IF_ERROR(Commit());  // As above: the next stream goes on where this one was right.
     return Status(StatusCode::kOutOfRange, "UPLOAD_TOO_LONG", "more bytes than were stated at the start");
   }
   pending_ += chunk.data();

@@ -180,6 +180,25 @@ TEST_F(ScanServiceTest, RefusesDamagedAndForeignChunks) {
   EXPECT_EQ(client_->GetUpload(*upload)->committed_size, 0);
 }
 
+// A chunk past the stated end is refused alone: what came before it is kept, and the upload ends well in another
+// stream.
+TEST_F(ScanServiceTest, AnUploadThatIsTooLongGoesOnFromWhereItWasRight) {
+  const std::string file = FakeScanFile(1, 600000);
+  const Result<ScanUpload> upload = client_->StartUpload(StatementOf("a", "b", file));
+  ASSERT_TRUE(upload.ok());
+  const std::string name = NameOf(*upload);
+  EXPECT_EQ(Send({Message(name, 0, file.substr(0, 200000)), Message("", 200000, file.substr(200000, 200000)),
+                  Message("", 400000, file.substr(400000) + "x")})
+                .reason(),
+            "UPLOAD_TOO_LONG");
+  EXPECT_EQ(client_->GetUpload(*upload)->committed_size, 400000);
+  EXPECT_TRUE(Send({Message(name, 400000, file.substr(400000))}).ok());
+  EXPECT_EQ(Send({Message(name, 600000, "x")}).reason(), "UPLOAD_TOO_LONG");
+  EXPECT_EQ(client_->GetUpload(*upload)->committed_size, 600000);
+  const auto finished = client_->FinishUpload(*upload, Blake2b(file));
+  EXPECT_TRUE(finished.ok()) << finished.status().ToString();
+}
+
 // An upload belongs to the body in its name: under another's it is not there, and cannot be dropped.
 TEST_F(ScanServiceTest, AnUploadIsNotFoundUnderAnotherBody) {
   const std::string file = FakeScanFile(1, 5000);
