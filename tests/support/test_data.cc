@@ -11,7 +11,7 @@ std::filesystem::path TestDataFolder() {
 
 bool HasTestData() {
   std::error_code ignored;
-  return std::filesystem::is_directory(TestDataFolder() / "bodies", ignored);
+  return !TestDataFolder().empty() && std::filesystem::is_directory(TestDataFolder() / "bodies", ignored);
 }
 
 }  // namespace fitroom::testing
