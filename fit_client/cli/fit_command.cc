@@ -123,17 +123,20 @@ Result<FitOptions> MakeOptions(const FitFlags& flags) {
   return options;
 }
 
-// Dresses the body in every size, draws them side by side and returns the one to take.
+// Dresses the body in every size, draws them side by side and returns the one to take. What it wrote goes into
+// `written`.
 Result<Outfit> FitBestOfAllSizes(const FitFlags& flags, const BodyInput& body,
                                  const std::vector<GarmentInput>& garments, const FitOptions& options,
-                                 Executor& executor, Stopwatch& stopwatch, const ProgressSink& progress) {
+                                 Executor& executor, Stopwatch& stopwatch, const ProgressSink& progress,
+                                 std::vector<OutputFile>& written) {
   if (garments.size() != 1 || !flags.sizes.empty()) {
     return InvalidArgument("ONE_GARMENT_ONLY", "--all-sizes takes a single --garment and no --size");
   }
   FR_ASSIGN_OR_RETURN(std::vector<Outfit> sizes,
                       FitAllSizes(body, garments.front(), options, executor, stopwatch, progress));
   if (!flags.no_pictures) {
-    FR_RETURN_IF_ERROR(WriteSizeSheet(flags.out, sizes, executor.thread_count()));
+    FR_ASSIGN_OR_RETURN(OutputFile sheet, WriteSizeSheet(flags.out, sizes, executor.thread_count()));
+    written.push_back(std::move(sheet));
     stopwatch.Lap("sheet of sizes");
   }
   std::string best = sizes.front().garments.front().report.recommendation->size;
@@ -156,11 +159,11 @@ Status RunFit(const FitFlags& flags) {
   FR_ASSIGN_OR_RETURN(const std::vector<Layer> layers, MakeLayers(flags, body, garments));
   stopwatch.Lap("garment");
   FR_ASSIGN_OR_RETURN(const FitOptions options, MakeOptions(flags));
-  FR_ASSIGN_OR_RETURN(Outfit outfit,
-                      flags.all_sizes ? FitBestOfAllSizes(flags, body, garments, options, executor, stopwatch, progress)
-                                      : FitOutfit(body, layers, options, executor, stopwatch, progress));
-  for (FittedGarment& worn : outfit.garments) worn.report.program_version = FITROOM_VERSION;
   FitOutputOptions outputs;
+  FR_ASSIGN_OR_RETURN(Outfit outfit, flags.all_sizes ? FitBestOfAllSizes(flags, body, garments, options, executor,
+                                                                         stopwatch, progress, outputs.written_before)
+                                                     : FitOutfit(body, layers, options, executor, stopwatch, progress));
+  for (FittedGarment& worn : outfit.garments) worn.report.program_version = FITROOM_VERSION;
   outputs.pictures = !flags.no_pictures;
   outputs.glb = !flags.no_model;
   outputs.meshes = flags.meshes;

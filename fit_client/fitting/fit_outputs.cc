@@ -181,7 +181,8 @@ Status WriteModel(const render::DisplayBody& display, const Outfit& outfit, Fold
 
 }  // namespace
 
-Status WriteSizeSheet(const std::filesystem::path& folder, const std::vector<Outfit>& sizes, int thread_count) {
+Result<OutputFile> WriteSizeSheet(const std::filesystem::path& folder, const std::vector<Outfit>& sizes,
+                                  int thread_count) {
   FR_RETURN_IF_ERROR(MakeFolder(folder));
   if (sizes.empty()) return InvalidArgument("BAD_SIZE_SHEET", "there is no size to draw");
   const render::DisplayBody display = render::PrepareBody(sizes.front().body_surface);
@@ -207,7 +208,9 @@ Status WriteSizeSheet(const std::filesystem::path& folder, const std::vector<Out
     columns.push_back(std::move(column));
   }
   FR_ASSIGN_OR_RETURN(const Image sheet, render::DrawSizeSheet(display, columns, thread_count));
-  return WriteFileAtomically(folder / "sizes.png", EncodePng(sheet));
+  const std::string bytes = EncodePng(sheet);
+  FR_RETURN_IF_ERROR(WriteFileAtomically(folder / "sizes.png", bytes));
+  return OutputFile{"sizes.png", "all sizes side by side", static_cast<int64_t>(bytes.size())};
 }
 
 std::string OutfitText(const Outfit& outfit) {
@@ -267,7 +270,8 @@ Status WriteFitOutputs(const std::filesystem::path& folder, const BodyInput& bod
     stopwatch.Lap("meshes");
   }
   for (FittedGarment& worn : outfit.garments) {
-    worn.report.files = writer.files();
+    worn.report.files = options.written_before;
+    worn.report.files.insert(worn.report.files.end(), writer.files().begin(), writer.files().end());
     worn.report.files.push_back({"report.json", "this report for programs", 0});
     worn.report.files.push_back({"report.txt", "this report for people", 0});
     worn.report.files.push_back({kPageName, "all of it on one page, for a browser", 0});

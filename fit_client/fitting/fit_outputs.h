@@ -9,6 +9,7 @@
 #include "fit_client/fitting/fit_inputs.h"
 #include "fit_client/fitting/fit_outfit.h"
 #include "fit_client/fitting/stopwatch.h"
+#include "fit_client/report/fit_report.h"
 
 namespace fitroom {
 
@@ -19,6 +20,7 @@ struct FitOutputOptions {
   bool film = false;     // An animated WebP of the outermost garment's dressing.
   bool meshes = false;   // Garment, rest panels, body and seams as OBJ and text, to be measured by other programs.
   int thread_count = 1;
+  std::vector<OutputFile> written_before;  // Of the same fit, such as the sheet of sizes: the reports list them too.
 };
 
 // Draws and writes everything a fit shows into `folder`, which is made where it is missing: pictures, stage pictures,
@@ -27,8 +29,10 @@ struct FitOutputOptions {
 Status WriteFitOutputs(const std::filesystem::path& folder, const BodyInput& body, Outfit& outfit,
                        const FitOutputOptions& options, Stopwatch& stopwatch, const ProgressSink& progress);
 
-// Draws all sizes side by side into `folder`/sizes.png, the recommended one framed. Fails like DrawSizeSheet().
-Status WriteSizeSheet(const std::filesystem::path& folder, const std::vector<Outfit>& sizes, int thread_count);
+// Draws all sizes side by side into `folder`/sizes.png, the recommended one framed, and returns what it wrote. Fails
+// like DrawSizeSheet().
+Result<OutputFile> WriteSizeSheet(const std::filesystem::path& folder, const std::vector<Outfit>& sizes,
+                                  int thread_count);
 
 // Returns the reports of all garments as one text for people, the innermost first.
 std::string OutfitText(const Outfit& outfit);
