@@ -31,13 +31,38 @@ endif()
 # other purpose than to run the tests under a sanitizer: elsewhere a file that forgets an include must be found.
 set(fitroom_precompiled_headers <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <span>
                                 <string> <string_view> <vector> <Eigen/Core> <Eigen/Geometry>)
+set(fitroom_precompiled_rpc_headers ${fitroom_precompiled_headers} <grpcpp/grpcpp.h>)
+
+# A target that does nothing but read `headers` for others. What it is linked with, and whether it is an executable,
+# decide how they are compiled: both must be as in the targets that use them.
+function(fitroom_precompile name)
+  cmake_parse_arguments(arg "EXECUTABLE" "" "HEADERS;LIBRARIES" ${ARGN})
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/${name}.cc CONTENT "int main() { return 0; }\n")
+  if(arg_EXECUTABLE)
+    add_executable(${name} ${PROJECT_BINARY_DIR}/${name}.cc)
+  else()
+    add_library(${name} STATIC ${PROJECT_BINARY_DIR}/${name}.cc)
+  endif()
+  target_link_libraries(${name} PRIVATE fitroom_flags Eigen3::Eigen ${arg_LIBRARIES})
+  target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
+endfunction()
+
+# Says in `result` whether what links `libraries` uses gRPC and is therefore compiled with it.
+function(fitroom_uses_rpc result libraries)
+  if("${libraries}" MATCHES "gRPC|_(rpc|proto|remote|service|transfer)(;|$)")
+    set(${result} ON PARENT_SCOPE)
+  else()
+    set(${result} OFF PARENT_SCOPE)
+  endif()
+endfunction()
+
 if(FITROOM_PRECOMPILE)
-  # What links gRPC is compiled with it; headers serve only files that are compiled alike.
+  # What links gRPC is compiled with -pthread; headers serve only files that are compiled alike.
   target_compile_options(fitroom_flags INTERFACE -pthread)
-  file(WRITE ${PROJECT_BINARY_DIR}/precompiled.cc "")
-  add_library(fitroom_precompiled STATIC ${PROJECT_BINARY_DIR}/precompiled.cc)
-  target_link_libraries(fitroom_precompiled PRIVATE fitroom_flags Eigen3::Eigen)
-  target_precompile_headers(fitroom_precompiled PRIVATE ${fitroom_precompiled_headers})
+  fitroom_precompile(fitroom_precompiled HEADERS ${fitroom_precompiled_headers})
+  if(FITROOM_WITH_RPC)
+    fitroom_precompile(fitroom_precompiled_rpc HEADERS ${fitroom_precompiled_rpc_headers} LIBRARIES gRPC::grpc++)
+  endif()
 endif()
 
 # fitroom_add_library(NAME SOURCES a.cc b.cc PUBLIC libs PRIVATE libs)
@@ -47,7 +72,12 @@ function(fitroom_add_library name)
     add_library(${name} STATIC ${arg_SOURCES})
     target_link_libraries(${name} PUBLIC fitroom_flags ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
     if(FITROOM_PRECOMPILE)
-      target_precompile_headers(${name} REUSE_FROM fitroom_precompiled)
+      fitroom_uses_rpc(uses_rpc "${arg_PUBLIC};${arg_PRIVATE}")
+      if(uses_rpc)
+        target_precompile_headers(${name} REUSE_FROM fitroom_precompiled_rpc)
+      else()
+        target_precompile_headers(${name} REUSE_FROM fitroom_precompiled)
+      endif()
     endif()
   else()
     add_library(${name} INTERFACE)
