@@ -6,8 +6,8 @@
 
 namespace fitroom::testing {
 
-// Returns the folder of external test data: the environment's FITROOM_TEST_DATA, else the one configured in CMake; empty
-// where neither names one.
+// Returns the folder of external test data: the environment's FITROOM_TEST_DATA, else the one configured in CMake;
+// empty where neither names one.
 std::filesystem::path TestDataFolder();
 
 // Says whether the external test data is there.
