@@ -12,7 +12,6 @@
 namespace fitroom::shop_catalog {
 namespace {
 
-
 // One view with its scale.
 class Ruler {
  public:

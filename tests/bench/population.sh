@@ -3,9 +3,10 @@
 #   tests/bench/population.sh BUILD DATA [further options of population_bench, for example --every 10 or --step -2]
 # BUILD: the build's folder (build/release); DATA: the external test data. Prints a line a garment, a table of
 # the outfits, one of worn girths against what they have to be and, with --all-sizes, the ease of every size.
-# Without the data it ends with 77, which the test runner takes for a skipped test.
+# FITROOM_TEST_DATA in the environment stands instead of DATA. Without data it ends with 77, which the test runner takes
+# for a skipped test.
 set -euo pipefail
-build=$1 data=$2
+build=$1 data=${FITROOM_TEST_DATA:-$2}
 shift 2
 if [[ ! -d $data/bodies/population && -z ${FITROOM_REQUIRE_TEST_DATA:-} ]]; then
   echo "population: the external test data is absent: $data/bodies/population" >&2
