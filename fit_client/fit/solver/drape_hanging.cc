@@ -427,21 +427,24 @@ Status HangingGarment::ComeToRest(bool starts_worn) {
 // Puts what a crease of the body or of a layer holds on its surface or just below it a little outside: particles, and
 // the edge middles and triangle centres between particles that are outside themselves, as where an edge lies across a
 // ridge. Those move their corners; a corner goes the longest of the ways that are asked of it.
+// Where two surfaces leave no room, the way out of one leads into the other: the round that left least to go counts.
 void HangingGarment::LiftOut() {
   constexpr double kLeast = 2e-4;  // Signed distance that everything is to have (unit: metre).
-  constexpr int kRounds = 6;
+  constexpr int kRounds = 12;
   std::vector<Eigen::Vector3d> places = run_.ParticlePositions(model_);
+  std::vector<Eigen::Vector3d> best = places;
+  double shortest = std::numeric_limits<double>::infinity();  // Of the longest ways that are left, over the rounds.
   std::vector<Eigen::Vector3d> ways(places.size());
   for (int round = 0; round < kRounds; ++round) {
     std::fill(ways.begin(), ways.end(), Eigen::Vector3d::Zero());
-    bool is_clear = true;
+    double longest_left = 0.0;
     const auto lift = [&](const auto& corners) {
       Eigen::Vector3d sample = Eigen::Vector3d::Zero();
       for (const int corner : corners) sample += places[static_cast<size_t>(corner)];
       sample /= static_cast<double>(corners.size());
       const Eigen::Vector3d way = WayOut(sample, kLeast);
       if (way.isZero()) return;
-      is_clear = false;
+      longest_left = std::max(longest_left, way.norm());
       for (const int corner : corners) {
         Eigen::Vector3d& longest = ways[static_cast<size_t>(corner)];
         if (way.squaredNorm() > longest.squaredNorm()) longest = way;
@@ -450,11 +453,15 @@ void HangingGarment::LiftOut() {
     for (int particle = 0; particle < model_.particle_count(); ++particle) lift(std::array<int, 1>{particle});
     for (const auto& edge : model_.edges()) lift(edge);
     for (const auto& triangle : model_.triangles()) lift(triangle);
-    if (is_clear) break;
+    if (longest_left < shortest) {
+      shortest = longest_left;
+      best = places;
+    }
+    if (longest_left == 0.0) break;
     for (size_t particle = 0; particle < places.size(); ++particle) places[particle] += ways[particle];
   }
   for (size_t vertex = 0; vertex < run_.positions.size(); ++vertex) {
-    run_.positions[vertex] = places[static_cast<size_t>(model_.particle_of_vertex()[vertex])];
+    run_.positions[vertex] = best[static_cast<size_t>(model_.particle_of_vertex()[vertex])];
   }
 }
 
@@ -463,7 +470,13 @@ Eigen::Vector3d HangingGarment::WayOut(const Eigen::Vector3d& place, double leas
   if (run_.body.Distance(place) > 0.5 * run_.body.pitch()) return Eigen::Vector3d::Zero();
   const double distance = run_.body.ExactDistance(place);
   if (distance >= least) return Eigen::Vector3d::Zero();
-  const Eigen::Vector3d gradient = run_.body.Query(place).gradient;
+  // The interpolated gradient is rounded off where a surface is sharp, which is where this is needed.
+  constexpr double kStep = 1e-4;
+  Eigen::Vector3d gradient;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::Vector3d step = kStep * Eigen::Vector3d::Unit(axis);
+    gradient[axis] = (run_.body.ExactDistance(place + step) - run_.body.ExactDistance(place - step)) / (2.0 * kStep);
+  }
   if (gradient.norm() < 0.1) return Eigen::Vector3d::Zero();
   return gradient.normalized() * (2.0 * least - distance);
 }
