@@ -13,7 +13,7 @@
 namespace fitroom {
 namespace {
 
-constexpr double kSlack = 0.003;       // At most (unit: metre),
+constexpr double kSlack = 0.002;       // At most (unit: metre),
 constexpr double kSlackOfEdge = 0.3;   // and on fine meshes, where more particles are near (unit: mean edge).
 constexpr double kLongestEdge = 1.3;   // Crossings of longer edges may be seen late (unit: mean edge).
 constexpr double kReachOfEdge = 0.76;  // sqrt(1/2^2 + 1/3): from an edge's end to the corner of a triangle that it
