@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fit_client/fit/refine/carry_over.h"
+#include "fit_client/fit/stages/belt.h"
 #include "fit_client/fit/stages/bottom_outline.h"
 #include "fit_client/fit/stages/dress_garment.h"
 #include "fit_client/fit/stages/lower_body.h"
@@ -16,8 +17,7 @@ namespace {
 constexpr double kSewnGap = 0.004;  // Carried partners that are closer were sewn on the coarse mesh (unit: metre).
 // A coarse mesh that has not come to rest after so many substeps trembles: a finer one has more room.
 constexpr int kCoarseSubstepLimit = 6000;
-constexpr double kCoarseShare = 0.4;      // Of the progress.
-constexpr double kBeltClearance = 0.001;  // From the contact offset to the belt (unit: metre).
+constexpr double kCoarseShare = 0.4;  // Of the progress.
 
 // The outlines of two meshes differ by the chords of their curves: partners of a closed seam meet in the middle.
 void CloseSeams(const ClothMesh& mesh, std::vector<Eigen::Vector3d>& positions) {

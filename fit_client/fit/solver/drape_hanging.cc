@@ -1,13 +1,13 @@
 #include "fit_client/fit/solver/drape_hanging.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
 #include "fit_client/fit/solver/drape_hoops.h"
+#include "fit_client/fit/solver/drape_lift_out.h"
 #include "fit_client/fit/solver/drape_measures.h"
 #include "fit_client/fit/solver/drape_opening.h"
+#include "fit_client/fit/solver/drape_pulling_up.h"
 #include "fit_client/fit/solver/self_collision.h"
 
 namespace fitroom {
@@ -40,12 +40,6 @@ constexpr int kIroningInterval = 8;  // Windows between looks at cloth that pass
 constexpr int kFirmIronings = 3;     // after so many closer to the body, where layers find no room,
 // and how often it is ironed: what tangles again is left, so that it does not tremble, until the cloth is at rest.
 constexpr int kIroningLimit = 5;
-constexpr int kPullInterval = 16;        // Substeps between looks at crotch and waist while pulling up.
-constexpr int kPullPatience = 12;        // So many looks without
-constexpr double kPullProgress = 2e-4;   // this much of a rise (unit: metre) and the garment is stuck.
-constexpr double kFromBelow = 0.4;       // The body's normal points down by more than this share at the groin.
-constexpr int kLongestBelting = 1200;    // Substeps for the waist's way to the belt,
-constexpr int kSettlingAfterBelt = 192;  // and for the cloth below to follow.
 constexpr int kOpeningSubsteps = 256;    // Of 0.5 ms: seams that give way are open before,
 constexpr int kOpeningInterval = 16;     // substeps between looks at them,
 constexpr double kTieError = 0.003;      // and hoops no longer than the fabric's limit and this (unit: metre).
@@ -101,8 +95,8 @@ class HangingGarment {
     IronTangles();
     FR_RETURN_IF_ERROR(run_.CheckFinite(state_));
     run_.TakePositions(model_, state_);
-    if (run_.options.pull_up) FR_RETURN_IF_ERROR(PullUp(*run_.options.pull_up));
-    if (run_.options.attach) FR_RETURN_IF_ERROR(Belt());
+    if (run_.options.pull_up) FR_RETURN_IF_ERROR(PullUp(*run_.options.pull_up, Cloth()));
+    if (run_.options.attach) FR_RETURN_IF_ERROR(CarryToBelt(Cloth()));
     FR_RETURN_IF_ERROR(ComeToRest(/*starts_worn=*/false));
     return End();
   }
@@ -111,8 +105,8 @@ class HangingGarment {
     ironing_count_ = kFirmIronings;  // What the coarse mesh could not untangle has no room here either.
     IronTangles();
     if (run_.options.attach) {
-      FR_RETURN_IF_ERROR(LayBelt());
-      HoldBelt();
+      FR_RETURN_IF_ERROR(AskForBelt(run_));
+      HoldBelt(Cloth());
     }
     FR_RETURN_IF_ERROR(ComeToRest(/*starts_worn=*/true));
     return End();
@@ -120,7 +114,7 @@ class HangingGarment {
 
   // Lets the seams of the run's ties open, where the garment is.
   Status HangOpen() {
-    if (!run_.belt.empty()) HoldBelt();
+    if (!run_.belt.empty()) HoldBelt(Cloth());
     FR_RETURN_IF_ERROR(Open());
     IronTangles();
     FR_RETURN_IF_ERROR(ComeToRest(/*starts_worn=*/false));
@@ -130,24 +124,21 @@ class HangingGarment {
  private:
   Status End() {
     IronAtRest();
-    LiftOut();
+    TakePlaces(LiftOut(model_, run_.body, run_.ParticlePositions(model_)));
     Conclude();
     return Status();
   }
-  // Asks the options for the run's belt.
-  Status LayBelt();
+  WeldedCloth Cloth() { return {run_, model_, solver_, state_}; }
+  void TakePlaces(const std::vector<Eigen::Vector3d>& places) {
+    for (size_t vertex = 0; vertex < run_.positions.size(); ++vertex) {
+      run_.positions[vertex] = places[static_cast<size_t>(model_.particle_of_vertex()[vertex])];
+    }
+  }
   void Relax();
   Status Open();
-  // Attaches the run's belt, as wide open as its seams; returns the longest way to a target (unit: metre).
-  double HoldBelt();
   bool HasTies() const { return !run_.tie_lengths.empty(); }
-  Status PullUp(const PullUpOptions& pull);
-  Status Belt();
-  bool TouchesFromBelow(const PullUpOptions& pull) const;
   bool ChainsHaveTheirLength();
   Status ComeToRest(bool starts_worn);
-  void LiftOut();
-  Eigen::Vector3d WayOut(const Eigen::Vector3d& place, double least) const;
   void Conclude();
   // Says whether the cloth is at rest, from how far particles went in a sixtieth of a second; fills the report.
   bool IsAtRest(const std::vector<Eigen::Vector3d>& before, const std::vector<Eigen::Vector3d>& after, double seconds);
@@ -208,109 +199,6 @@ Status HangingGarment::Open() {
   }
   solver_.RaiseOffsets(state_, run_.options.sample_clearance);
   return Status();
-}
-
-// Only contact from below counts: a crotch between thighs that touch is near the body long before it is up.
-bool HangingGarment::TouchesFromBelow(const PullUpOptions& pull) const {
-  for (const int vertex : pull.crotch_vertices) {
-    const SignedDistanceField::Sample sample = run_.body.Query(run_.positions[static_cast<size_t>(vertex)]);
-    const double length = sample.gradient.norm();
-    if (sample.distance <= pull.contact_distance && sample.gradient.y() < -kFromBelow * length) return true;
-  }
-  return false;
-}
-
-// Moves the garment up without gravity, by the drag of an upward wind at its waist, until the crotch or the waist is
-// where it belongs or nothing rises any more.
-Status HangingGarment::PullUp(const PullUpOptions& pull) {
-  const auto mean_height = [&] {
-    double sum = 0.0;
-    for (const int vertex : pull.edge_vertices) sum += run_.positions[static_cast<size_t>(vertex)].y();
-    return pull.edge_vertices.empty() ? 0.0 : sum / static_cast<double>(pull.edge_vertices.size());
-  };
-  solver_.SetMotion(QuasiStaticMotion(run_.options));
-  DrapeReport& report = run_.report;
-  report.pull_end = PullEnd::kStepLimit;
-  double highest = mean_height();
-  // Whoever pulls holds the cloth near the waist; what hangs below follows. A wind on all of it would blow the legs up.
-  state_.wind.assign(state_.positions.size(), Float4());
-  for (size_t vertex = 0; vertex < run_.positions.size(); ++vertex) {
-    const double grip = std::clamp(1.0 - (highest - run_.positions[vertex].y()) / pull.grip_length, 0.0, 1.0);
-    state_.wind[static_cast<size_t>(model_.particle_of_vertex()[vertex])].y = static_cast<float>(grip * pull.speed);
-  }
-  int looks_without_progress = 0;
-  for (int look = 0; report.pulling_substeps < pull.substep_limit; ++look) {
-    if (TouchesFromBelow(pull)) {
-      report.pull_end = PullEnd::kCrotchContact;
-      break;
-    }
-    if (mean_height() >= pull.edge_height) {
-      report.pull_end = PullEnd::kEdgeAtHeight;
-      break;
-    }
-    if (looks_without_progress >= kPullPatience) {
-      report.pull_end = PullEnd::kStuck;
-      break;
-    }
-    solver_.Advance(state_, kPullInterval, run_.MakePullsAndTies(model_, run_.open_seams),
-                    0.1 * run_.options.closing_speed);
-    report.pulling_substeps += kPullInterval;
-    run_.substep += kPullInterval;
-    FR_RETURN_IF_ERROR(run_.CheckFinite(state_));
-    run_.TakePositions(model_, state_);
-    if (look % 4 == 3) solver_.RaiseOffsets(state_, run_.options.sample_clearance);
-    const double height = mean_height();
-    looks_without_progress = height > highest + kPullProgress ? 0 : looks_without_progress + 1;
-    highest = std::max(highest, height);
-  }
-  state_.wind.clear();
-  for (Float4& velocity : state_.velocities) velocity = Float4();
-  run_.Observe(DrapeStage::kPulledUp, 0.35);
-  return Status();
-}
-
-// Asks where the waist is to be held: vertices of the mesh.
-Status HangingGarment::LayBelt() {
-  FR_ASSIGN_OR_RETURN(run_.belt, run_.options.attach(run_.positions));
-  for (const Attachment& attachment : run_.belt) {
-    if (attachment.particle < 0 || static_cast<size_t>(attachment.particle) >= run_.positions.size()) {
-      return InvalidArgument("VERTEX_OUT_OF_RANGE", "the belt holds a vertex that does not exist");
-    }
-  }
-  return Status();
-}
-
-// Carries the waist to its place on the belt and lets the cloth below follow, still without gravity.
-Status HangingGarment::Belt() {
-  FR_RETURN_IF_ERROR(LayBelt());
-  const MotionOptions motion = QuasiStaticMotion(run_.options);
-  solver_.SetMotion(motion);
-  const double longest_way = HoldBelt();
-  const int arrival = static_cast<int>(std::ceil(longest_way / (motion.attachment_speed * motion.time_step)));
-  const int limit = std::min(arrival, kLongestBelting) + kSettlingAfterBelt;
-  for (int done = 0; done < limit; done += kRelaxingInterval) {
-    solver_.Advance(state_, kRelaxingInterval, run_.MakePullsAndTies(model_, run_.open_seams),
-                    0.1 * run_.options.closing_speed);
-    solver_.RaiseOffsets(state_, run_.options.sample_clearance);
-    run_.report.belting_substeps += kRelaxingInterval;
-    run_.substep += kRelaxingInterval;
-    FR_RETURN_IF_ERROR(run_.CheckFinite(state_));
-    run_.TakePositions(model_, state_);
-  }
-  run_.Observe(DrapeStage::kBelted, 0.4);
-  return Status();
-}
-
-double HangingGarment::HoldBelt() {
-  std::vector<Attachment> attachments = HasTies() ? WidenBelt(run_) : run_.belt;
-  double longest_way = 0.0;
-  for (Attachment& attachment : attachments) {
-    const size_t vertex = static_cast<size_t>(attachment.particle);
-    longest_way = std::max(longest_way, (attachment.target - run_.positions[vertex]).norm());
-    attachment.particle = model_.particle_of_vertex()[vertex];
-  }
-  solver_.Attach(state_, attachments);
-  return longest_way;
 }
 
 bool HangingGarment::ChainsHaveTheirLength() {
@@ -422,63 +310,6 @@ Status HangingGarment::ComeToRest(bool starts_worn) {
     run_.Observe(DrapeStage::kDraping, 0.3 + 0.7 * report.draping_substeps / options.draping_substep_limit);
   }
   return Status();
-}
-
-// Puts what a crease of the body or of a layer holds on its surface or just below it a little outside: particles, and
-// the edge middles and triangle centres between particles that are outside themselves, as where an edge lies across a
-// ridge. Those move their corners; a corner goes the longest of the ways that are asked of it.
-// Where two surfaces leave no room, the way out of one leads into the other: the round that left least to go counts.
-void HangingGarment::LiftOut() {
-  constexpr double kLeast = 2e-4;  // Signed distance that everything is to have (unit: metre).
-  constexpr int kRounds = 12;
-  std::vector<Eigen::Vector3d> places = run_.ParticlePositions(model_);
-  std::vector<Eigen::Vector3d> best = places;
-  double shortest = std::numeric_limits<double>::infinity();  // Of the longest ways that are left, over the rounds.
-  std::vector<Eigen::Vector3d> ways(places.size());
-  for (int round = 0; round < kRounds; ++round) {
-    std::fill(ways.begin(), ways.end(), Eigen::Vector3d::Zero());
-    double longest_left = 0.0;
-    const auto lift = [&](const auto& corners) {
-      Eigen::Vector3d sample = Eigen::Vector3d::Zero();
-      for (const int corner : corners) sample += places[static_cast<size_t>(corner)];
-      sample /= static_cast<double>(corners.size());
-      const Eigen::Vector3d way = WayOut(sample, kLeast);
-      if (way.isZero()) return;
-      longest_left = std::max(longest_left, way.norm());
-      for (const int corner : corners) {
-        Eigen::Vector3d& longest = ways[static_cast<size_t>(corner)];
-        if (way.squaredNorm() > longest.squaredNorm()) longest = way;
-      }
-    };
-    for (int particle = 0; particle < model_.particle_count(); ++particle) lift(std::array<int, 1>{particle});
-    for (const auto& edge : model_.edges()) lift(edge);
-    for (const auto& triangle : model_.triangles()) lift(triangle);
-    if (longest_left < shortest) {
-      shortest = longest_left;
-      best = places;
-    }
-    if (longest_left == 0.0) break;
-    for (size_t particle = 0; particle < places.size(); ++particle) places[particle] += ways[particle];
-  }
-  for (size_t vertex = 0; vertex < run_.positions.size(); ++vertex) {
-    run_.positions[vertex] = best[static_cast<size_t>(model_.particle_of_vertex()[vertex])];
-  }
-}
-
-// The way from a place that is closer to the body than `least` to one that is not; zero where there is none to go.
-Eigen::Vector3d HangingGarment::WayOut(const Eigen::Vector3d& place, double least) const {
-  if (run_.body.Distance(place) > 0.5 * run_.body.pitch()) return Eigen::Vector3d::Zero();
-  const double distance = run_.body.ExactDistance(place);
-  if (distance >= least) return Eigen::Vector3d::Zero();
-  // The interpolated gradient is rounded off where a surface is sharp, which is where this is needed.
-  constexpr double kStep = 1e-4;
-  Eigen::Vector3d gradient;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Eigen::Vector3d step = kStep * Eigen::Vector3d::Unit(axis);
-    gradient[axis] = (run_.body.ExactDistance(place + step) - run_.body.ExactDistance(place - step)) / (2.0 * kStep);
-  }
-  if (gradient.norm() < 0.1) return Eigen::Vector3d::Zero();
-  return gradient.normalized() * (2.0 * least - distance);
 }
 
 void HangingGarment::Conclude() {

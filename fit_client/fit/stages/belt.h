@@ -11,6 +11,9 @@
 
 namespace fitroom {
 
+// From the offset that keeps cloth off the body to the belt (unit: metre): what is held must not lie in contact.
+inline constexpr double kBeltClearance = 0.001;
+
 // What the belt found, before it held anything: the waist's size answer.
 struct BeltMeasure {
   double height = 0.0;         // The mean height of the waist's edge (unit: metre).

@@ -14,7 +14,6 @@ constexpr double kMergingPicture = 0.45;  // How far the panels have come in the
 constexpr double kLeastToSay = 0.005;     // Differences of waist and rise below this are none (unit: metre).
 constexpr double kWaistReached = 0.004;   // A waist this far below its height is there (unit: metre).
 constexpr double kWholeSkirt = 1e3;       // (unit: metre)
-constexpr double kBeltClearance = 0.001;  // From the contact offset to the belt (unit: metre).
 
 // Where the cloth can get to: round the start, and lower, because it falls.
 Eigen::AlignedBox3d ReachOf(const std::vector<Eigen::Vector3d>& places) {
