@@ -1,5 +1,6 @@
 #include "shop_catalog/garment/cloth_texture.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <opencv2/imgproc.hpp>

@@ -14,7 +14,8 @@ if [[ ! -d $data/bodies/population && -z ${FITROOM_REQUIRE_TEST_DATA:-} ]]; then
 fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-for kind in tshirt one_piece skirt pants; do
+make_garment() {
+  local kind=$1 length fabric
   "$build/bin/shop_catalog" synthesize --kind "$kind" --size 12 --out "$work/$kind-photos" >/dev/null
   length=$(tr -d ' \n' <"$work/$kind-photos/chart.json" | grep -oE '"name":"12","measures_cm":\{[^}]*"(front_)?length":[0-9.]+' |
     grep -oE '[0-9.]+$')
@@ -22,5 +23,14 @@ for kind in tshirt one_piece skirt pants; do
   "$build/bin/shop_catalog" extract "$work/$kind-photos/front.png" "$work/$kind-photos/back.png" --kind "$kind" \
     --annotation "$work/$kind-photos/truth.json" --chart "$work/$kind-photos/chart.json" --length-cm "$length" --fabric "$fabric" --id "${kind//_/-}" \
     --out "$work/$kind" >/dev/null
+}
+# Two at a time.
+for pair in "tshirt one_piece" "skirt pants"; do
+  makers=()
+  for kind in $pair; do
+    make_garment "$kind" &
+    makers+=($!)
+  done
+  for maker in "${makers[@]}"; do wait "$maker"; done
 done
 "$build/tests/bench/population_bench" --bodies "$data/bodies/population" --garments "$work" "$@"

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -281,6 +282,13 @@ bool IsAsPromised(const Row& row, const Flags& flags) {
   return flags.step != 0 || flags.all_sizes || (row.finished && row.seam_max <= 5e-4);
 }
 
+// A scan that several threads dress: read by the first of them.
+struct SharedBody {
+  std::once_flag once;
+  std::optional<Result<BodyInput>> scan;
+  std::atomic<size_t> outfits_done = 0;
+};
+
 int Run(const Flags& flags) {
   std::map<std::string, GarmentInput> wardrobe;
   for (const std::string& outfit : flags.outfits) {
@@ -319,32 +327,36 @@ int Run(const Flags& flags) {
     }
     return sizes;
   };
+  // A body's outfits are shared out one by one; the last of them lets go of the scan.
+  std::vector<SharedBody> bodies(chosen.size());
+  const size_t outfit_count = flags.outfits.size();
   const auto work = [&] {
-    for (size_t i = next++; i < chosen.size(); i = next++) {
-      const Result<BodyInput> body = LoadScan(chosen[i]);
+    for (size_t i = next++; i < chosen.size() * outfit_count; i = next++) {
+      const std::filesystem::path& file = chosen[i / outfit_count];
+      const std::string& outfit = flags.outfits[i % outfit_count];
+      SharedBody& shared = bodies[i / outfit_count];
+      std::call_once(shared.once, [&] { shared.scan.emplace(LoadScan(file)); });
+      const Result<BodyInput>& body = *shared.scan;
       if (!body.ok()) {
+        Row row;
+        row.body = file.stem().string();
+        row.outfit = outfit;
+        row.reason = body.status().reason();
+        row.text = body.status().message();
         const std::lock_guard lock(mutex);
-        for (const std::string& outfit : flags.outfits) {
-          Row row;
-          row.body = chosen[i].stem().string();
-          row.outfit = outfit;
-          row.reason = body.status().reason();
-          row.text = body.status().message();
-          PrintRow(row);
-          all.push_back(row);
-        }
+        PrintRow(row);
+        all.push_back(row);
         continue;
       }
-      for (const std::string& outfit : flags.outfits) {
-        for (const std::string& size : sizes_of(outfit)) {
-          for (const double pitch_cm : flags.pitches_cm) {
-            const std::vector<Row> rows = FitOne(chosen[i], *body, outfit, wardrobe, pitch_cm, size, flags);
-            const std::lock_guard lock(mutex);
-            for (const Row& row : rows) PrintRow(row);
-            all.insert(all.end(), rows.begin(), rows.end());
-          }
+      for (const std::string& size : sizes_of(outfit)) {
+        for (const double pitch_cm : flags.pitches_cm) {
+          const std::vector<Row> rows = FitOne(file, *body, outfit, wardrobe, pitch_cm, size, flags);
+          const std::lock_guard lock(mutex);
+          for (const Row& row : rows) PrintRow(row);
+          all.insert(all.end(), rows.begin(), rows.end());
         }
       }
+      if (++shared.outfits_done == outfit_count) shared.scan.reset();
     }
   };
   std::vector<std::thread> threads;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -126,6 +127,81 @@ TEST(HouseRules, HeadersStartWithPragmaOnce) {
       EXPECT_EQ(first, "#pragma once") << fs::relative(file, root);
     }
   }
+}
+
+// The headers that builds with precompiled headers read for everybody, and names that each of them defines.
+const std::map<std::string, std::vector<std::string>> kPrecompiled = {
+    {"algorithm", {"min",           "max",         "clamp",       "sort",        "stable_sort", "find",
+                   "find_if",       "copy",        "fill",        "reverse",     "count",       "count_if",
+                   "all_of",        "any_of",      "none_of",     "max_element", "min_element", "minmax_element",
+                   "lower_bound",   "upper_bound", "nth_element", "transform",   "rotate",      "unique",
+                   "binary_search", "replace",     "equal",       "remove_if",   "partition",   "minmax"}},
+    {"array", {"array"}},
+    {"cmath", {"sqrt", "cos", "sin",      "tan",   "atan", "atan2", "hypot", "lround", "floor", "ceil", "pow",
+               "exp",  "log", "isfinite", "isnan", "acos", "asin",  "fmod",  "round",  "cbrt",  "expm1"}},
+    {"filesystem", {"filesystem"}},
+    {"functional", {"function"}},
+    {"map", {"map", "multimap"}},
+    {"memory", {"unique_ptr", "shared_ptr", "weak_ptr", "make_unique", "make_shared"}},
+    {"optional", {"optional", "nullopt"}},
+    {"span", {"span"}},
+    {"string", {"string", "to_string", "stod", "stoi"}},
+    {"string_view", {"string_view"}},
+    {"vector", {"vector"}}};
+
+// What a source names, without its comments: "std::min", "Eigen::Vector3d".
+std::set<std::string> NamesIn(const fs::path& file) {
+  std::set<std::string> names;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) {
+    line = line.substr(0, line.find("//"));
+    for (const std::string space : {"std::", "Eigen::"}) {
+      for (size_t at = line.find(space); at != std::string::npos; at = line.find(space, at + 1)) {
+        size_t end = at + space.size();
+        while (end < line.size() && (std::isalnum(static_cast<unsigned char>(line[end])) || line[end] == '_')) ++end;
+        names.insert(line.substr(at, end - at));
+      }
+    }
+  }
+  return names;
+}
+
+// Everything that a source includes, directly or through the project's own headers.
+std::set<std::string> ReachedFrom(const fs::path& root, const std::string& source,
+                                  std::map<std::string, std::set<std::string>>& known) {
+  const auto [entry, is_new] = known.try_emplace(source);
+  if (!is_new) return entry->second;
+  std::set<std::string> reached;
+  for (const std::string& include : IncludesOf(root / source)) {
+    reached.insert(include);
+    if (fs::exists(root / include)) reached.merge(ReachedFrom(root, include, known));
+  }
+  return known[source] = reached;
+}
+
+// Where headers are precompiled, the compiler does not miss an include that was forgotten. This does.
+TEST(HouseRules, WhatIsNamedIsIncludedThoughHeadersArePrecompiled) {
+  const fs::path root = FITROOM_SOURCE_DIR;
+  std::map<std::string, std::set<std::string>> known;
+  int file_count = 0;
+  for (const char* folder : {"common", "body_center", "shop_catalog", "fit_client"}) {
+    for (const fs::path& file : SourcesBelow(root / folder)) {
+      ++file_count;
+      const std::string source = fs::relative(file, root);
+      const std::set<std::string> names = NamesIn(file), reached = ReachedFrom(root, source, known);
+      for (const auto& [header, defined] : kPrecompiled) {
+        for (const std::string& name : defined) {
+          EXPECT_TRUE(!names.contains("std::" + name) || reached.contains(header))
+              << source << " names std::" << name << " and does not reach <" << header << ">";
+        }
+      }
+      const auto is_eigen = [](const std::string& text) { return text.starts_with("Eigen"); };
+      EXPECT_TRUE(std::none_of(names.begin(), names.end(), is_eigen) ||
+                  std::any_of(reached.begin(), reached.end(), is_eigen))
+          << source << " names Eigen's types and reaches none of its headers";
+    }
+  }
+  EXPECT_GT(file_count, 300);
 }
 
 TEST(HouseRules, MainStaysUnderAHundredLines) {

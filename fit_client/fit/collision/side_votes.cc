@@ -1,5 +1,6 @@
 #include "fit_client/fit/collision/side_votes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numeric>

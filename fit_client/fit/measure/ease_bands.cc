@@ -1,5 +1,6 @@
 #include "fit_client/fit/measure/ease_bands.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 

@@ -1,5 +1,6 @@
 #include "fit_client/fit/panels/sleeve_lengths.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
