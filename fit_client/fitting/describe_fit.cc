@@ -131,6 +131,15 @@ void DescribeOutcome(const Dressing& dressed, bool is_bottom, const DrapeOptions
     report.residuals.push_back(
         {"outseams to their length at rest", "outseam_residual", drape.length_residual, options.length_tolerance, "1"});
   }
+  if (drape.tugging_substeps > 0) {
+    char text[200];
+    std::snprintf(text, sizeof(text),
+                  "pulled up by %.0f mm at the waist, because it is too narrow for the body where it would hang; cloth "
+                  "lies in folds above",
+                  1e3 * drape.tugged_way);
+    report.notes.push_back(text);
+    report.stages.push_back({"pulled up", "waist", drape.tugging_substeps});
+  }
   report.stages.push_back({"gravity", std::string(DrapeOutcomeName(drape.outcome)), drape.draping_substeps});
   if (dressed.shoulder_point_count > 0) {
     report.residuals.push_back(
@@ -151,7 +160,7 @@ void DescribeOutcome(const Dressing& dressed, bool is_bottom, const DrapeOptions
   report.self_crossing_count = drape.self_crossing_count;
   report.strain = {drape.strain_p50, drape.strain_p95, drape.strain_p99, drape.strain_max};
   report.substep_count = drape.merging_substeps + drape.relaxing_substeps + drape.pulling_substeps +
-                         drape.belting_substeps + drape.draping_substeps;
+                         drape.belting_substeps + drape.tugging_substeps + drape.draping_substeps;
 }
 
 void DescribeTuck(const DrapeReport& tucked, FitReport& report) {

@@ -42,6 +42,8 @@ void AddHistory(const DrapeReport& before, DrapeReport& report) {
   report.relaxing_substeps += before.relaxing_substeps;
   report.pulling_substeps += before.pulling_substeps;
   report.belting_substeps += before.belting_substeps;
+  report.tugging_substeps += before.tugging_substeps;
+  report.tugged_way += before.tugged_way;
   report.draping_substeps += before.draping_substeps;
   report.simulated_seconds += before.simulated_seconds;
   report.pull_end = before.pull_end;

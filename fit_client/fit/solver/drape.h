@@ -76,6 +76,14 @@ struct PullUpOptions {
   int substep_limit = 1200;          // Of 0.5 ms.
 };
 
+// How far the wearer of a garment that hangs from the shoulders may pull it up where its girth does not close.
+struct TugOptions {
+  std::vector<int> waist_vertices;  // Of the mesh, the garment's waist; their mean height
+  double highest = 1e9;             // at this place ends the tug (unit: metre),
+  double longest_way = 0.05;        // or so far above where it hung: more would lie in rolls, and nobody wears it so.
+  int substep_limit = 1200;         // Of 0.5 ms.
+};
+
 // Says where vertices of the mesh are to be held, once the garment is pulled up: `positions` holds one place a vertex.
 using AttachFunction = std::function<Result<std::vector<Attachment>>(std::span<const Eigen::Vector3d> positions)>;
 
@@ -133,6 +141,10 @@ struct DrapeOptions {
   // Bottoms, between sewing and gravity: first pulled up, then held. `attach` returns vertices with their targets.
   std::optional<PullUpOptions> pull_up;
   AttachFunction attach;
+
+  // Tops, once sewn and at rest: where a hoop would have to be longer than `limit_strain` allows, the garment is pulled
+  // up and hung again before a seam opens. What closes at once is not touched.
+  std::optional<TugOptions> tug;
   // Condition (11): the lengths of these chains differ from those at rest by less than this part, all together.
   std::vector<VertexChain> measured_chains;
   double length_tolerance = 0.005;  // (unit: 1)
@@ -148,6 +160,8 @@ struct DrapeReport {
   int pulling_substeps = 0;
   PullEnd pull_end = PullEnd::kNotPulled;
   int belting_substeps = 0;
+  int tugging_substeps = 0;
+  double tugged_way = 0.0;  // How far up the garment's waist was pulled so that it closes; 0: it was not (unit: metre).
   int draping_substeps = 0;
   double simulated_seconds = 0.0;  // In which gravity acted.
 

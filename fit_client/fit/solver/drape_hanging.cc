@@ -8,6 +8,7 @@
 #include "fit_client/fit/solver/drape_measures.h"
 #include "fit_client/fit/solver/drape_opening.h"
 #include "fit_client/fit/solver/drape_pulling_up.h"
+#include "fit_client/fit/solver/drape_tug.h"
 #include "fit_client/fit/solver/self_collision.h"
 
 namespace fitroom {
@@ -46,6 +47,8 @@ constexpr double kTieError = 0.003;      // and hoops no longer than the fabric'
 constexpr int kAdjustingWindows = 30;    // Under gravity their ties are adjusted for so long.
 constexpr int kOpenSubstepLimit = 6000;  // Of hanging with open seams, a round.
 constexpr int kOpeningRounds = 3;        // A seam may give way once its neighbour has.
+// What a tug pushes deeper into the body than this is undone (unit: metre).
+constexpr double kDeepestAfterTug = 1e-4;
 
 // The mean edge of the mesh, within what the steps were tuned on (unit: metre).
 double MeanEdgeLength(const ClothMesh& mesh) {
@@ -109,6 +112,13 @@ class HangingGarment {
       HoldBelt(Cloth());
     }
     FR_RETURN_IF_ERROR(ComeToRest(/*starts_worn=*/true));
+    return End();
+  }
+
+  // Comes to rest once more, from where the garment has been pulled to.
+  Status HangAgain() {
+    IronTangles();
+    FR_RETURN_IF_ERROR(ComeToRest(/*starts_worn=*/false));
     return End();
   }
 
@@ -326,6 +336,12 @@ void HangingGarment::Conclude() {
   report.self_crossing_count = CountSelfCrossings(model_, particles, run_.executor);
 }
 
+// Says whether a seam would give way.
+bool LacksGirth(const DrapeRun& run) {
+  const std::vector<double> ties = FindOpenings(run);
+  return std::any_of(ties.begin(), ties.end(), [](double length) { return length > 0.0; });
+}
+
 // Ties seams from now on; what is tied is drawn together no more.
 void TieSeams(DrapeRun& run, std::vector<double> tie_lengths) {
   if (std::none_of(tie_lengths.begin(), tie_lengths.end(), [](double length) { return length > 0.0; })) return;
@@ -339,18 +355,38 @@ void TieSeams(DrapeRun& run, std::vector<double> tie_lengths) {
   });
 }
 
+// Pulls the garment up and hangs it again; where it does not close there either, or does not lie as well, it stays as
+// it was, to the last bit.
+Status TugAndHang(DrapeRun& run) {
+  const std::vector<Eigen::Vector3d> hung_positions = run.positions;
+  const DrapeReport hung_report = run.report;
+  FR_ASSIGN_OR_RETURN(const ClothModel model, ClothModel::Create(run.mesh, run.options.material, ClosedSeams(run)));
+  FR_RETURN_IF_ERROR(TugUp(run, model));
+  FR_RETURN_IF_ERROR(HangingGarment(run, model).HangAgain());
+  const DrapeReport& report = run.report;
+  if (report.outcome == DrapeOutcome::kAtRest && report.touching_condition_met && !LacksGirth(run) &&
+      report.deepest_penetration <= std::max(hung_report.deepest_penetration, kDeepestAfterTug) &&
+      report.self_crossing_count <= hung_report.self_crossing_count) {
+    return Status();
+  }
+  run.positions = hung_positions;
+  run.report = hung_report;
+  return Status();
+}
+
 // Hangs the garment again with the seams open that its girth cannot close, until no more give way. What turns out to
 // close all the same, because the cloth finds another place, stays as it was when sewn.
 Status OpenSeams(DrapeRun& run) {
   if (!(run.options.limit_strain > 0.0)) return Status();
   if (run.hoops.empty()) run.hoops = FindHoops(run.mesh);
   const bool was_sewn = run.tie_lengths.empty();
-  const std::vector<Eigen::Vector3d> sewn_positions = run.positions;
-  const DrapeReport sewn_report = run.report;
   const std::vector<SeamPair> sewn_open = run.open_seams;
   const auto tie_count = [](const std::vector<double>& lengths) {
     return std::count_if(lengths.begin(), lengths.end(), [](double length) { return length > 0.0; });
   };
+  if (was_sewn && run.options.tug && LacksGirth(run)) FR_RETURN_IF_ERROR(TugAndHang(run));
+  const std::vector<Eigen::Vector3d> sewn_positions = run.positions;
+  const DrapeReport sewn_report = run.report;
   for (int round = 0; round < kOpeningRounds; ++round) {
     std::vector<double> ties = FindOpenings(run);
     if (tie_count(ties) == tie_count(run.tie_lengths)) break;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace fitroom {
 namespace {
@@ -137,6 +138,12 @@ std::vector<double> FindOpenings(const DrapeRun& run) {
     }
   }
   return ties;
+}
+
+double LargestLack(const DrapeRun& run) {
+  constexpr double kNone = -std::numeric_limits<double>::infinity();
+  const std::vector<double> lack = SpreadToPairs(run, LackOfHoops(run), kNone);
+  return lack.empty() ? kNone : *std::max_element(lack.begin(), lack.end());
 }
 
 double AdjustTies(DrapeRun& run, bool may_shorten) {

@@ -19,6 +19,10 @@ namespace fitroom {
 // and those that give way at the run's positions (unit: metre). 0: sewn.
 std::vector<double> FindOpenings(const DrapeRun& run);
 
+// Returns the girth that the run's hoops lack, where most is missing; negative where all have some to spare (unit:
+// metre). Minus infinity without hoops.
+double LargestLack(const DrapeRun& run);
+
 // Moves the lengths of ties half of the way towards those that leave every hoop stretched to the fabric's limit; unless
 // they may be shortened too, only where a hoop is stretched beyond. Returns the largest way of all (unit: metre).
 double AdjustTies(DrapeRun& run, bool may_shorten);

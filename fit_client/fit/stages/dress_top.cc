@@ -45,6 +45,18 @@ std::vector<int> ShoulderPoints(const ClothMesh& cloth, const Body& body, const 
   return points;
 }
 
+// A wearer pulls a dress up until its waist is where the body's is, and no farther.
+std::optional<TugOptions> TugOf(const ClothMesh& cloth, const Body& body) {
+  TugOptions tug;
+  for (const NamedParticle& named : cloth.named_particles) {
+    const std::string name = named.name.substr(named.name.find('/') + 1);
+    if (name == "waist_L" || name == "waist_R") tug.waist_vertices.push_back(named.particle);
+  }
+  if (tug.waist_vertices.empty()) return std::nullopt;
+  tug.highest = body.landmarks[BodyLandmark::kWaistFront].position.y();
+  return tug;
+}
+
 // Body and layers as one mesh, to be looked at.
 TriangleMesh Together(const TriangleMesh& collider, const std::vector<WornGarment>& layers) {
   TriangleMesh all = collider;
@@ -84,6 +96,9 @@ Result<Dressing> DressTop(const ClothMesh& cloth, GarmentKind kind, const Dresse
   drape_options.contact_offset += below;
   drape_options.touching_distance += below;
   drape_options.touching_vertices = ShoulderPoints(cloth, wearer.body, pose);
+  if (kind == GarmentKind::kOnePiece || kind == GarmentKind::kSleevedOnePiece) {
+    drape_options.tug = TugOf(cloth, wearer.body);
+  }
   result.shoulder_point_count = static_cast<int>(drape_options.touching_vertices.size());
   for (const NamedParticle& named : cloth.named_particles) {
     const std::vector<int>& touching = drape_options.touching_vertices;

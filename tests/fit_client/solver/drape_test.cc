@@ -121,10 +121,103 @@ TEST(Drape, ASeamThatHoldsChangesNothing) {
   SerialExecutor serial;
   const Result<DrapeResult> unbreakable = Drape(tube, tube.rest_positions, body, options, serial, {});
   options.limit_strain = 0.1;
+  options.tug = TugOptions();
+  options.tug->waist_vertices = {0};
   const Result<DrapeResult> sewn = Drape(tube, tube.rest_positions, body, options, serial, {});
   ASSERT_TRUE(unbreakable.ok() && sewn.ok());
   EXPECT_EQ(sewn->report.outcome, DrapeOutcome::kAtRest);
   EXPECT_EQ(sewn->positions, unbreakable->positions);
+}
+
+// A hip that widens downwards: a cone whose offset surface has this radius at height y.
+constexpr double kConeSlope = 0.2;  // Friction of 0.5 holds cloth on it however tight, that of stitching does not.
+double ConeRadius(double y) { return 0.07 - kConeSlope * y; }
+
+SignedDistanceField MakeCone(double contact_offset) {
+  TriangleMesh cone = testing::MakeCylinder(1.0, -0.1, 0.25, 64, 30);
+  for (Eigen::Vector3d& vertex : cone.vertices) {
+    const double radius = ConeRadius(vertex.y()) - contact_offset * std::hypot(1.0, kConeSlope);
+    vertex.x() *= radius;
+    vertex.z() *= radius;
+  }
+  SerialExecutor serial;
+  return SignedDistanceField::Build(cone, {}, serial).value();
+}
+
+// A closed tube of 10 cm height on that cone, level, from y = 0 upwards; the cone's girth is 44 cm there.
+struct TubeOnCone {
+  double girth;
+  ClothMesh cloth;
+  std::vector<Eigen::Vector3d> worn;
+  TugOptions tug;  // Of the tube's lower edge.
+  DrapeOptions options;
+  SignedDistanceField body = MakeCone(options.contact_offset);
+
+  explicit TubeOnCone(double its_girth) : girth(its_girth), cloth(testing::MakeTube(0.5 * girth, 0.1, 18, 10, 0.0)) {
+    const size_t back = cloth.rest_positions.size() / 2;
+    for (size_t i = 0; i < cloth.rest_positions.size(); ++i) {
+      const Eigen::Vector3d& rest = cloth.rest_positions[i];
+      const double angle = 2.0 * M_PI * rest.x() / girth;
+      const double radius = ConeRadius(rest.y());
+      worn.emplace_back(radius * std::sin(angle), rest.y(), (i < back ? 1.0 : -1.0) * radius * std::cos(angle));
+      if (rest.y() == 0.0) tug.waist_vertices.push_back(static_cast<int>(i));
+    }
+    options.material.stretch_stiffness = 1000.0;
+    options.friction_coefficient = 0.5;
+    options.limit_strain = 0.1;
+  }
+
+  double LargestGirth() const { return girth * (1.0 + options.limit_strain); }
+  double LowerEdge(const std::vector<Eigen::Vector3d>& places) const {
+    double sum = 0.0;
+    for (const int vertex : tug.waist_vertices) sum += places[static_cast<size_t>(vertex)].y();
+    return sum / static_cast<double>(tug.waist_vertices.size());
+  }
+};
+
+// What lacks girth where friction holds it, and has it higher up, closes once its wearer has pulled it up: there, no
+// higher than it needs but for a reserve, and outside the body.
+TEST(Drape, AGarmentThatIsHeldTooLowIsPulledUpToWhereItCloses) {
+  TubeOnCone tube(0.36);
+  SerialExecutor serial;
+  const Result<DrapeResult> held = Settle(tube.cloth, tube.worn, tube.body, tube.options, serial, {});
+  ASSERT_TRUE(held.ok()) << held.status().ToString();
+  EXPECT_GT(Girth(tube.cloth, held->positions, 18, 0), tube.LargestGirth() + 0.01);
+  EXPECT_EQ(held->report.tugged_way, 0.0);
+
+  tube.options.tug = tube.tug;
+  const Result<DrapeResult> pulled = Settle(tube.cloth, tube.worn, tube.body, tube.options, serial, {});
+  ASSERT_TRUE(pulled.ok()) << pulled.status().ToString();
+  const DrapeReport& report = pulled->report;
+  EXPECT_EQ(report.outcome, DrapeOutcome::kAtRest) << report.finishing_reason;
+  EXPECT_EQ(report.final_seam_gap_max, 0.0);
+  EXPECT_EQ(report.particles_inside + report.samples_inside, 0);
+  EXPECT_GT(report.tugged_way, 0.0);
+  for (int row = 0; row <= 10; ++row) {
+    EXPECT_LT(Girth(tube.cloth, pulled->positions, 18, row), tube.LargestGirth() + 0.01);
+  }
+  // Girths are known to a centimetre, which is 0.8 cm of the cone's height; the reserve is another 1.2.
+  const double closing_height = (ConeRadius(0.0) - tube.LargestGirth() / (2.0 * M_PI)) / kConeSlope;
+  EXPECT_GT(tube.LowerEdge(pulled->positions), closing_height - 0.01);
+  EXPECT_LT(tube.LowerEdge(pulled->positions), closing_height + 0.02);
+}
+
+// No garment is pulled up farther than its waist may go; what does not close there either opens where it hung, to the
+// last bit, and lacks the girth of the cone there, less the cloth's at its limit.
+TEST(Drape, AGarmentThatNoTugClosesStaysWhereItHung) {
+  TubeOnCone tube(0.28);
+  SerialExecutor serial;
+  const Result<DrapeResult> held = Settle(tube.cloth, tube.worn, tube.body, tube.options, serial, {});
+  tube.options.tug = tube.tug;
+  tube.options.tug->highest = 0.01;
+  const Result<DrapeResult> result = Settle(tube.cloth, tube.worn, tube.body, tube.options, serial, {});
+  ASSERT_TRUE(held.ok() && result.ok());
+  EXPECT_EQ(result->report.outcome, DrapeOutcome::kSeamsOpen) << result->report.finishing_reason;
+  EXPECT_EQ(result->report.tugged_way, 0.0);
+  EXPECT_EQ(result->positions, held->positions);
+  ASSERT_FALSE(result->report.openings.empty());
+  EXPECT_NEAR(result->report.openings[0].lacking_girth,
+              2.0 * M_PI * ConeRadius(tube.LowerEdge(result->positions)) - tube.LargestGirth(), 0.01);
 }
 
 TEST(Drape, AGarmentThatIsFarTooSmallEndsWithThatOutcome) {
