@@ -69,8 +69,8 @@ class ClothModelBuilder {
   template <typename Constraint, typename ParticlesOf>
   std::vector<std::vector<Constraint>> ByColour(const std::vector<Constraint>& constraints,
                                                 const ParticlesOf& particles_of) const;
-  std::vector<StretchBatch> MakeBatches(const std::vector<Spring>& springs, int idle) const;
-  void ColourBends(std::vector<BendConstraint>& bends) const;
+  void MakeBatches(const std::vector<Spring>& springs, int idle, ClothChunk& chunk) const;
+  void ColourBends(ClothChunk& chunk) const;
 
   double RestArea(int triangle) const {
     const Eigen::Vector3i& corners = mesh_.triangles[static_cast<size_t>(triangle)];
@@ -255,13 +255,12 @@ void ClothModelBuilder::MakeConstraints() {
     if (end - begin == 2) AddBend(edge_uses_[begin], edge_uses_[begin + 1]);
     begin = end;
   }
-  ColourBends(model_.border_.bend);
+  ColourBends(model_.border_);
   for (size_t chunk = 0; chunk < model_.chunks_.size(); ++chunk) {
-    ColourBends(model_.chunks_[chunk].bend);
-    model_.chunks_[chunk].stretch = MakeBatches(springs[chunk], model_.particle_count() + static_cast<int>(chunk));
+    ColourBends(model_.chunks_[chunk]);
+    MakeBatches(springs[chunk], model_.particle_count() + static_cast<int>(chunk), model_.chunks_[chunk]);
   }
-  model_.border_.stretch =
-      MakeBatches(springs.back(), model_.particle_count() + static_cast<int>(model_.chunks_.size()));
+  MakeBatches(springs.back(), model_.particle_count() + static_cast<int>(model_.chunks_.size()), model_.border_);
 }
 
 void ClothModelBuilder::AddBend(const EdgeUse& first, const EdgeUse& second) {
@@ -322,8 +321,8 @@ std::vector<std::vector<Constraint>> ClothModelBuilder::ByColour(const std::vect
   return colours;
 }
 
-std::vector<StretchBatch> ClothModelBuilder::MakeBatches(const std::vector<Spring>& springs, int idle) const {
-  std::vector<StretchBatch> batches;
+void ClothModelBuilder::MakeBatches(const std::vector<Spring>& springs, int idle, ClothChunk& chunk) const {
+  std::vector<StretchBatch>& batches = chunk.stretch;
   const auto ends = [](const Spring& spring) { return std::array<int, 2>{std::get<0>(spring), std::get<1>(spring)}; };
   for (const std::vector<Spring>& colour : ByColour(springs, ends)) {
     for (size_t index = 0; index < colour.size(); ++index) {
@@ -336,14 +335,17 @@ std::vector<StretchBatch> ClothModelBuilder::MakeBatches(const std::vector<Sprin
       std::tie(batches.back().a[lane], batches.back().b[lane], batches.back().rest_length[lane],
                batches.back().compliance[lane]) = colour[index];
     }
+    chunk.stretch_colour_ends.push_back(static_cast<int>(batches.size()));
   }
-  return batches;
 }
 
-void ClothModelBuilder::ColourBends(std::vector<BendConstraint>& bends) const {
-  const auto colours = ByColour(bends, [](const BendConstraint& bend) { return bend.particles; });
-  bends.clear();
-  for (const std::vector<BendConstraint>& colour : colours) bends.insert(bends.end(), colour.begin(), colour.end());
+void ClothModelBuilder::ColourBends(ClothChunk& chunk) const {
+  const auto colours = ByColour(chunk.bend, [](const BendConstraint& bend) { return bend.particles; });
+  chunk.bend.clear();
+  for (const std::vector<BendConstraint>& colour : colours) {
+    chunk.bend.insert(chunk.bend.end(), colour.begin(), colour.end());
+    chunk.bend_colour_ends.push_back(static_cast<int>(chunk.bend.size()));
+  }
 }
 
 Result<ClothModel> ClothModel::Create(const ClothMesh& mesh, const ClothMaterial& material,

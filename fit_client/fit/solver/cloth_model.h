@@ -53,6 +53,9 @@ struct ClothChunk {
   int particle_count = 0;
   std::vector<StretchBatch> stretch;
   std::vector<BendConstraint> bend;
+  // Where each colour ends in the order of the constraints: those of one colour share no particle but idle ones.
+  std::vector<int> stretch_colour_ends;
+  std::vector<int> bend_colour_ends;
 };
 
 // The rest shape as the solver wants it: masses and constraints, immutable, shared by any number of runs.

@@ -10,7 +10,6 @@
 namespace fitroom {
 namespace {
 
-constexpr float kTiny = 1e-12F;
 constexpr double kOpposite = -0.5;       // Cosine: normals of two parts of the body that face each other.
 constexpr double kLeastOffset = 0.0005;  // From the body, where it leaves no room (unit: metre).
 
@@ -42,60 +41,6 @@ Float4 ToFloat4(const Eigen::Vector3d& v, float w) {
 
 Eigen::Vector3d ToVector(const Float4& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
-}
-
-// Solves four springs that share no particle. `denominator` is 1 / (w_a + w_b + compliance / dt^2).
-void SolveStretchBatch(Float4* positions, const StretchBatch& batch, const Float4& denominator,
-                       __m128 compression_factor) {
-  __m128 p[4];
-  __m128 q[4];
-  __m128 d[4];
-  for (int lane = 0; lane < 4; ++lane) {
-    p[lane] = Load(positions[batch.a[static_cast<size_t>(lane)]]);
-    q[lane] = Load(positions[batch.b[static_cast<size_t>(lane)]]);
-    d[lane] = _mm_sub_ps(q[lane], p[lane]);
-  }
-  __m128 x = d[0];
-  __m128 y = d[1];
-  __m128 z = d[2];
-  __m128 w = d[3];
-  _MM_TRANSPOSE4_PS(x, y, z, w);
-  const __m128 squared =
-      _mm_add_ps(_mm_add_ps(_mm_mul_ps(x, x), _mm_mul_ps(y, y)), _mm_add_ps(_mm_mul_ps(z, z), _mm_set1_ps(kTiny)));
-  const __m128 length = _mm_sqrt_ps(squared);
-  __m128 excess = _mm_sub_ps(length, _mm_load_ps(batch.rest_length.data()));
-  const __m128 shortened = _mm_cmplt_ps(excess, _mm_setzero_ps());
-  const __m128 factor =
-      _mm_or_ps(_mm_and_ps(shortened, compression_factor), _mm_andnot_ps(shortened, _mm_set1_ps(1.0F)));
-  excess = _mm_mul_ps(excess, factor);
-  const __m128 scale = _mm_div_ps(_mm_mul_ps(excess, Load(denominator)), length);
-  const __m128 s[4] = {Broadcast<0>(scale), Broadcast<1>(scale), Broadcast<2>(scale), Broadcast<3>(scale)};
-  for (int lane = 0; lane < 4; ++lane) {
-    // The fourth number of d is the difference of inverse masses: cut it off, so that masses stay.
-    const __m128 step = _mm_mul_ps(Xyz(d[lane]), s[lane]);
-    Store(positions[batch.a[static_cast<size_t>(lane)]], _mm_add_ps(p[lane], _mm_mul_ps(step, Broadcast<3>(p[lane]))));
-    Store(positions[batch.b[static_cast<size_t>(lane)]], _mm_sub_ps(q[lane], _mm_mul_ps(step, Broadcast<3>(q[lane]))));
-  }
-}
-
-// Solves one bend. `moves` are c_i / m_i / (weight + compliance / dt^2).
-void SolveBend(Float4* positions, const BendConstraint& bend, const Float4& moves) {
-  Float4& a = positions[bend.particles[0]];
-  Float4& b = positions[bend.particles[1]];
-  Float4& c = positions[bend.particles[2]];
-  Float4& d = positions[bend.particles[3]];
-  const __m128 at_a = Load(a);
-  const __m128 at_b = Load(b);
-  const __m128 at_c = Load(c);
-  const __m128 at_d = Load(d);
-  const __m128 k = _mm_loadu_ps(bend.coefficients.data());
-  const __m128 m = Load(moves);
-  const __m128 sum = Xyz(_mm_add_ps(_mm_add_ps(_mm_mul_ps(at_a, Broadcast<0>(k)), _mm_mul_ps(at_b, Broadcast<1>(k))),
-                                    _mm_add_ps(_mm_mul_ps(at_c, Broadcast<2>(k)), _mm_mul_ps(at_d, Broadcast<3>(k)))));
-  Store(a, _mm_sub_ps(at_a, _mm_mul_ps(sum, Broadcast<0>(m))));
-  Store(b, _mm_sub_ps(at_b, _mm_mul_ps(sum, Broadcast<1>(m))));
-  Store(c, _mm_sub_ps(at_c, _mm_mul_ps(sum, Broadcast<2>(m))));
-  Store(d, _mm_sub_ps(at_d, _mm_mul_ps(sum, Broadcast<3>(m))));
 }
 
 }  // namespace
@@ -152,8 +97,8 @@ void ClothSolver::SetMotion(const MotionOptions& motion) {
   denominators_.push_back(MakeDenominators(model_.border()));
 }
 
-ClothSolver::Denominators ClothSolver::MakeDenominators(const ClothChunk& chunk) const {
-  Denominators denominators;
+ChunkDenominators ClothSolver::MakeDenominators(const ClothChunk& chunk) const {
+  ChunkDenominators denominators;
   const float per_squared_step = static_cast<float>(1.0 / (motion_.time_step * motion_.time_step));
   for (const StretchBatch& batch : chunk.stretch) {
     Float4 lanes;
@@ -187,14 +132,16 @@ ClothSolver::Denominators ClothSolver::MakeDenominators(const ClothChunk& chunk)
 void ClothSolver::Advance(ClothState& state, int substep_count, std::span<const SeamPull> pulls, double closing_speed) {
   const std::span<const ClothChunk> chunks = model_.chunks();
   const int chunk_count = static_cast<int>(chunks.size());
+  const KernelWidth width = WidestKernel();
+  const float compression = static_cast<float>(motion_.compression_factor);
   for (int substep = 0; substep < substep_count; ++substep) {
     executor_.Run(chunk_count, [&](int task) {
       const size_t chunk = static_cast<size_t>(task);
       if (substep > 0) SolveContacts(state, chunks[chunk]);
       Integrate(state, chunks[chunk]);
-      SolveConstraints(state, chunks[chunk], denominators_[chunk]);
+      SolveChunk(width, state.positions, chunks[chunk], denominators_[chunk], compression);
     });
-    SolveConstraints(state, model_.border(), denominators_.back());
+    SolveChunk(width, state.positions, model_.border(), denominators_.back(), compression);
     SolvePulls(state, pulls, closing_speed);
     if (self_collision_ != nullptr) self_collision_->Solve(state, motion_.time_step);
   }
@@ -229,17 +176,6 @@ void ClothSolver::Integrate(ClothState& state, const ClothChunk& chunk) const {
     const __m128 position = Load(state.positions[particle]);
     Store(state.previous[particle], position);
     Store(state.positions[particle], _mm_add_ps(position, way));
-  }
-}
-
-void ClothSolver::SolveConstraints(ClothState& state, const ClothChunk& chunk, const Denominators& denominators) const {
-  Float4* const positions = state.positions.data();
-  const __m128 compression = _mm_set1_ps(static_cast<float>(motion_.compression_factor));
-  for (size_t index = 0; index < chunk.bend.size(); ++index) {
-    SolveBend(positions, chunk.bend[index], denominators.bend[index]);
-  }
-  for (size_t index = 0; index < chunk.stretch.size(); ++index) {
-    SolveStretchBatch(positions, chunk.stretch[index], denominators.stretch[index], compression);
   }
 }
 

@@ -9,19 +9,12 @@
 
 #include "common/base/executor.h"
 #include "fit_client/fit/collision/signed_distance_field.h"
+#include "fit_client/fit/solver/cloth_kernels.h"
 #include "fit_client/fit/solver/cloth_model.h"
 
 namespace fitroom {
 
 class SelfCollision;
-
-// Four floats in one register: a place, direction or velocity and one number that travels with it.
-struct alignas(16) Float4 {
-  float x = 0.0F;
-  float y = 0.0F;
-  float z = 0.0F;
-  float w = 0.0F;
-};
 
 // How the cloth moves during one stage. All rates are per second, so that nothing depends on the step.
 struct MotionOptions {
@@ -101,17 +94,11 @@ class ClothSolver {
   static std::vector<Eigen::Vector3d> Positions(const ClothState& state, int particle_count);
 
  private:
-  struct Denominators {
-    std::vector<Float4> stretch;  // 1 / (w_a + w_b + compliance / dt^2), one a lane.
-    std::vector<Float4> bend;     // c_i / m_i / (weight + compliance / dt^2), one a particle.
-  };
-
   void Integrate(ClothState& state, const ClothChunk& chunk) const;
-  void SolveConstraints(ClothState& state, const ClothChunk& chunk, const Denominators& denominators) const;
   void SolvePulls(ClothState& state, std::span<const SeamPull> pulls, double closing_speed) const;
   void SolveContacts(ClothState& state, const ClothChunk& chunk) const;
   void LookAtBody(ClothState& state, size_t particle) const;
-  Denominators MakeDenominators(const ClothChunk& chunk) const;
+  ChunkDenominators MakeDenominators(const ClothChunk& chunk) const;
 
   const ClothModel& model_;
   const SignedDistanceField& body_;
@@ -119,7 +106,7 @@ class ClothSolver {
   SelfCollision* self_collision_ = nullptr;
   MotionOptions motion_;
   std::vector<float> inverse_masses_;
-  std::vector<Denominators> denominators_;  // One a chunk, then the border.
+  std::vector<ChunkDenominators> denominators_;  // One a chunk, then the border.
 };
 
 }  // namespace fitroom

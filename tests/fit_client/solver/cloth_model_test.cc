@@ -1,11 +1,15 @@
 #include "fit_client/fit/solver/cloth_model.h"
 
+#include <cstring>
 #include <limits>
 #include <numeric>
+#include <random>
 #include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "fit_client/fit/solver/cloth_kernels.h"
 #include "tests/fit_client/solver/cloth_shapes.h"
 
 namespace fitroom {
@@ -55,6 +59,65 @@ TEST(ClothModel, EveryEdgeIsOneSpringAndNoBatchSharesAParticle) {
   collect(model->border());
   EXPECT_EQ(springs.size(), 3u * 60 * 60 + 2 * 60);  // V + F - 1 edges of a disc.
   EXPECT_EQ(model->edges().size(), springs.size());
+}
+
+// Neighbours of one colour are solved at once: what one writes the other must not read.
+TEST(ClothModel, ConstraintsOfOneColourShareNoParticle) {
+  const ClothMesh sheet = testing::MakeSheet(0.6, 0.6, 60, 60);
+  const ClothModel model = ClothModel::Create(sheet, {}, {}).value();
+  const auto check = [&](const ClothChunk& chunk) {
+    ASSERT_EQ(static_cast<size_t>(chunk.stretch_colour_ends.back()), chunk.stretch.size());
+    ASSERT_EQ(static_cast<size_t>(chunk.bend_colour_ends.back()), chunk.bend.size());
+    size_t index = 0;
+    for (const int end : chunk.stretch_colour_ends) {
+      std::set<int> met;
+      for (; index < static_cast<size_t>(end); ++index) {
+        for (size_t lane = 0; lane < 4; ++lane) {
+          if (chunk.stretch[index].a[lane] >= model.particle_count()) continue;
+          EXPECT_TRUE(met.insert(chunk.stretch[index].a[lane]).second);
+          EXPECT_TRUE(met.insert(chunk.stretch[index].b[lane]).second);
+        }
+      }
+    }
+    index = 0;
+    for (const int end : chunk.bend_colour_ends) {
+      std::set<int> met;
+      for (; index < static_cast<size_t>(end); ++index) {
+        for (const int particle : chunk.bend[index].particles) EXPECT_TRUE(met.insert(particle).second);
+      }
+    }
+  };
+  for (const ClothChunk& chunk : model.chunks()) check(chunk);
+  check(model.border());
+}
+
+TEST(ClothKernels, BothWidthsGiveTheSameBits) {
+  if (WidestKernel() != KernelWidth::kEight) GTEST_SKIP() << "this processor has registers of 128 bits only";
+  const ClothMesh sheet = testing::MakeSheet(0.6, 0.5, 61, 50);
+  const ClothModel model = ClothModel::Create(sheet, {}, {}).value();
+  std::mt19937 random(17);
+  std::uniform_real_distribution<float> place(-0.3F, 0.3F);
+  std::vector<Float4> start(static_cast<size_t>(model.particle_count() + model.idle_particle_count()));
+  for (size_t particle = 0; particle < static_cast<size_t>(model.particle_count()); ++particle) {
+    start[particle] = {place(random), place(random), place(random),
+                       particle % 7 == 0 ? 0.0F : static_cast<float>(1.0 / model.masses()[particle])};
+  }
+  const auto solve = [&](const ClothChunk& chunk, KernelWidth width) {
+    ChunkDenominators denominators;
+    for (size_t i = 0; i < chunk.stretch.size(); ++i) denominators.stretch.push_back({1e-5F, 2e-5F, 3e-5F, 1.5e-5F});
+    for (size_t i = 0; i < chunk.bend.size(); ++i) denominators.bend.push_back({0.02F, 0.01F, -0.03F, 0.02F});
+    std::vector<Float4> positions = start;
+    SolveChunk(width, positions, chunk, denominators, /*compression_factor=*/0.4F);
+    return positions;
+  };
+  const auto check = [&](const ClothChunk& chunk) {
+    const std::vector<Float4> four = solve(chunk, KernelWidth::kFour);
+    const std::vector<Float4> eight = solve(chunk, KernelWidth::kEight);
+    EXPECT_EQ(std::memcmp(four.data(), eight.data(), four.size() * sizeof(Float4)), 0);
+    EXPECT_NE(std::memcmp(four.data(), start.data(), four.size() * sizeof(Float4)), 0);
+  };
+  for (const ClothChunk& chunk : model.chunks()) check(chunk);
+  check(model.border());
 }
 
 TEST(ClothModel, WeldedPairsAreOneParticleWithBothMasses) {
