@@ -1,6 +1,9 @@
+#include <array>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -79,6 +82,37 @@ Result<std::vector<GarmentInput>> LoadGarments(const FitFlags& flags) {
   return garments;
 }
 
+// What a fit starts from.
+struct FitInputs {
+  BodyInput body;
+  std::vector<GarmentInput> garments;
+};
+
+// Reads the body and the garments side by side; where both fail the body's failure is said.
+Result<FitInputs> LoadInputs(const FitFlags& flags, Executor& executor) {
+  std::optional<Result<BodyInput>> body;
+  std::optional<Result<std::vector<GarmentInput>>> garments;
+  std::array<std::exception_ptr, 2> thrown;  // Tasks must not throw.
+  executor.Run(2, [&](int task) {
+    try {
+      if (task == 0) {
+        body = LoadBody(flags);
+      } else {
+        garments = LoadGarments(flags);
+      }
+    } catch (...) {
+      thrown[static_cast<size_t>(task)] = std::current_exception();
+    }
+  });
+  for (const std::exception_ptr& exception : thrown) {
+    if (exception) std::rethrow_exception(exception);
+  }
+  FitInputs inputs;
+  FR_ASSIGN_OR_RETURN(inputs.body, std::move(*body));
+  FR_ASSIGN_OR_RETURN(inputs.garments, std::move(*garments));
+  return inputs;
+}
+
 // The sizes belong to the garments in order; a single one counts for a single garment, a single "auto" for all.
 Result<std::vector<Layer>> MakeLayers(const FitFlags& flags, const BodyInput& body,
                                       const std::vector<GarmentInput>& garments) {
@@ -153,11 +187,11 @@ Status RunFit(const FitFlags& flags) {
   ProgressBar bar;
   const ProgressSink progress = bar.sink();
   progress("reading", 0.0);
-  FR_ASSIGN_OR_RETURN(const BodyInput body, LoadBody(flags));
-  stopwatch.Lap("body");
-  FR_ASSIGN_OR_RETURN(const std::vector<GarmentInput> garments, LoadGarments(flags));
+  FR_ASSIGN_OR_RETURN(const FitInputs inputs, LoadInputs(flags, executor));
+  const BodyInput& body = inputs.body;
+  const std::vector<GarmentInput>& garments = inputs.garments;
   FR_ASSIGN_OR_RETURN(const std::vector<Layer> layers, MakeLayers(flags, body, garments));
-  stopwatch.Lap("garment");
+  stopwatch.Lap("body, garments");
   FR_ASSIGN_OR_RETURN(const FitOptions options, MakeOptions(flags));
   FitOutputOptions outputs;
   FR_ASSIGN_OR_RETURN(Outfit outfit, flags.all_sizes ? FitBestOfAllSizes(flags, body, garments, options, executor,

@@ -1,7 +1,10 @@
 #include "fit_client/fitting/fit_outfit.h"
 
+#include <algorithm>
+#include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "fit_client/fit/collision/body_repair.h"
 #include "fit_client/fit/stages/press_under.h"
@@ -81,6 +84,74 @@ Status PressWorn(const BodyInput& body, const FittedGarment& over, const FitOpti
   return Status();
 }
 
+// What the cutting and the body's repair, which know nothing of each other, leave behind.
+struct Preparation {
+  TriangleMesh body_surface;
+  std::vector<CutGarment> cuts;  // One a layer.
+};
+
+// Repairs the body and cuts all garments, side by side.
+Result<Preparation> Prepare(const BodyInput& body, const std::vector<Layer>& layers, const FitOptions& options,
+                            Executor& executor) {
+  const bool is_standard = options.profile == FitProfile::kStandard;
+  std::optional<Result<TriangleMesh>> repaired;
+  std::vector<std::optional<Result<CutGarment>>> cuts(layers.size());
+  executor.Run(static_cast<int>(layers.size()) + 1, [&](int task) {
+    if (task == 0) {
+      repaired = RepairBody(body.body.mesh);
+      return;
+    }
+    const size_t index = static_cast<size_t>(task) - 1;
+    cuts[index] = CutGarmentToSize(
+        layers[index].garment->garment,
+        {options.pitch, layers[index].size, is_standard, options.fork_rule, options.coarse_to_fine && is_standard});
+  });
+  Preparation prepared;
+  FR_ASSIGN_OR_RETURN(prepared.body_surface, std::move(*repaired));
+  for (size_t index = 0; index < layers.size(); ++index) {
+    if (!cuts[index]->ok()) return cuts[index]->status().At(layers[index].garment->garment.id);
+    prepared.cuts.push_back(std::move(*cuts[index]).value());
+  }
+  return prepared;
+}
+
+// Measures garments once what they lie on and what they look like is settled: several, and the two halves of each, side
+// by side. Refers to all it was given.
+class Measuring {
+ public:
+  Measuring(const BodyInput& body, Executor& executor, Stopwatch& stopwatch)
+      : body_(body), executor_(executor), stopwatch_(stopwatch) {}
+
+  // The outfit's next garment has been dressed, with these facts.
+  void Expect(DressingFacts facts) { facts_.push_back(std::move(facts)); }
+
+  // Measures every garment of the outfit that has not been; `worn_already` holds what each lies on, as it is now.
+  void CatchUp(const std::vector<WornGarment>& worn_already, Outfit& outfit) {
+    const size_t begin = measured_count_;
+    if (begin == outfit.garments.size()) return;
+    executor_.Run(static_cast<int>(2 * (outfit.garments.size() - begin)), [&](int task) {
+      const size_t index = begin + static_cast<size_t>(task) / 2;
+      FittedGarment& worn = outfit.garments[index];
+      // The halves fill different parts of one report.
+      if (task % 2 == 1) {
+        DescribeEase(body_.body.measurements, outfit.body_surface, worn);
+      } else {
+        JudgeWorn(body_.body, std::span(worn_already).first(index), facts_[index], worn);
+        JudgeChart(body_.body, worn);
+      }
+    });
+    measured_count_ = outfit.garments.size();
+    stopwatch_.Lap("measuring");
+  }
+
+ private:
+  const BodyInput& body_;
+  Executor& executor_;
+  Stopwatch& stopwatch_;
+  std::vector<DressingFacts> facts_;  // One a garment.
+  size_t measured_count_ = 0;
+};
+
 }  // namespace
 
 Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers, const FitOptions& options,
@@ -90,32 +161,29 @@ Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers
   };
   if (layers.empty()) return InvalidArgument("GARMENT_MISSING", "name at least one garment");
   Outfit outfit;
-  report_progress("preparing the body", 0.0);
-  FR_ASSIGN_OR_RETURN(outfit.body_surface, RepairBody(body.body.mesh));
-  stopwatch.Lap("body without holes");
+  report_progress("cutting panels", 0.0);
+  FR_ASSIGN_OR_RETURN(Preparation prepared, Prepare(body, layers, options, executor));
+  outfit.body_surface = std::move(prepared.body_surface);
+  stopwatch.Lap("body without holes, panels");
 
   std::vector<WornGarment> worn_already;
+  Measuring measuring(body, executor, stopwatch);
   const double share = 0.8 / static_cast<double>(layers.size());
   for (const Layer& layer : layers) {
     const double begin = share * static_cast<double>(outfit.garments.size());
-    report_progress("cutting panels", begin);
     FittedGarment worn;
     worn.input = layer.garment;
     const Garment& garment = layer.garment->garment;
-    Result<CutGarment> cut = CutGarmentToSize(
-        garment, {options.pitch, layer.size, options.profile == FitProfile::kStandard, options.fork_rule,
-                  options.coarse_to_fine && options.profile == FitProfile::kStandard});
-    if (!cut.ok()) return cut.status().At(garment.id);
-    worn.cut = std::move(cut).value();
+    worn.cut = std::move(prepared.cuts[outfit.garments.size()]);
     DescribeInputs(body, garment, worn.cut, worn.report);
     worn.report.thread_count = executor.thread_count();
     worn.report.profile = options.profile == FitProfile::kPaper ? "paper" : "standard";
-    stopwatch.Lap("panels");
 
     if (!worn_already.empty()) {
       FR_RETURN_IF_ERROR(CheckLayerOrder(garment.kind, worn_already).At(garment.id));
     }
     if (IsBottom(garment.kind) && !worn_already.empty()) {
+      measuring.CatchUp(worn_already, outfit);  // As worn before they are tucked in.
       FR_RETURN_IF_ERROR(TuckInTops(body, worn.cut, options, executor, outfit, worn_already).At(garment.id));
       stopwatch.Lap("tucking in");
     }
@@ -130,15 +198,16 @@ Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers
     worn.bottom = dressed->bottom;
     stopwatch.Lap("dressing");
     if (!IsBottom(garment.kind) && !worn_already.empty()) {
+      const bool is_pressed =
+          std::any_of(outfit.garments.begin(), outfit.garments.end(),
+                      [](const FittedGarment& other) { return YieldsToWhatIsOver(other.cut.kind); });
+      if (is_pressed) measuring.CatchUp(worn_already, outfit);  // As worn before they are pressed.
       FR_RETURN_IF_ERROR(PressWorn(body, worn, options, executor, outfit, worn_already).At(garment.id));
       stopwatch.Lap("pressing what is below");
     }
 
     DescribeOutcome(*dressed, IsBottom(garment.kind), options.dressing.drape, worn.report);
-    DescribeEase(body.body.measurements, outfit.body_surface, worn);
-    JudgeWorn(body.body, worn_already, FactsOf(*dressed), worn);
-    JudgeChart(body.body, worn);
-    stopwatch.Lap("measuring");
+    measuring.Expect(FactsOf(*dressed));
     if (&layer != &layers.back()) {
       Result<WornGarment> closed = MakeWornGarment(garment.kind, worn.cut.cloth, worn.stages.final);
       if (!closed.ok()) return closed.status().At(garment.id);
@@ -147,6 +216,7 @@ Result<Outfit> FitOutfit(const BodyInput& body, const std::vector<Layer>& layers
     }
     outfit.garments.push_back(std::move(worn));
   }
+  measuring.CatchUp(worn_already, outfit);
   if (outfit.garments.size() > 1) ListLayers(outfit);
   return outfit;
 }
