@@ -83,6 +83,11 @@ namespace {
 constexpr double kTornStrain = 2.0;
 constexpr double kTornDepth = 1e-3;
 
+// What to do where cloth does not come to rest: it trembles where it finds no room, most often under an arm.
+constexpr const char* kRemedyOfTrembling =
+    "; cloth that finds no room trembles, most often between arm and trunk: scan again with arms and legs away from "
+    "each other, or try another size";
+
 void DescribeCaught(const DrapeReport& drape, FitReport& report) {
   const bool is_torn = drape.strain_max > kTornStrain || drape.deepest_penetration > kTornDepth;
   if (!is_torn || drape.outcome != DrapeOutcome::kAtRest) return;
@@ -114,6 +119,7 @@ void DescribeOutcome(const Dressing& dressed, bool is_bottom, const DrapeOptions
       break;
   }
   report.finishing_text = drape.finishing_reason;
+  if (drape.outcome == DrapeOutcome::kNotAtRest) report.finishing_text += kRemedyOfTrembling;
   DescribeCaught(drape, report);
   if (!drape.touching_condition_met) {
     report.warnings.push_back("a shoulder point of the garment hangs " +
@@ -168,6 +174,7 @@ void DescribeTuck(const DrapeReport& tucked, FitReport& report) {
   if (tucked.outcome != DrapeOutcome::kAtRest && report.finishing_reason == "AT_REST") {
     report.finishing_reason = "STEP_LIMIT";
     report.finishing_text = tucked.finishing_reason;
+    if (tucked.outcome == DrapeOutcome::kNotAtRest) report.finishing_text += kRemedyOfTrembling;
   }
   const int substeps = tucked.belting_substeps + tucked.draping_substeps;
   report.stages.push_back({"tucked in", std::string(DrapeOutcomeName(tucked.outcome)), substeps});

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numeric>
@@ -17,6 +18,7 @@
 #include "fit_client/fit/stages/dress_garment.h"
 #include "fit_client/fit/stages/tuck_in.h"
 #include "fit_client/fitting/cut_garment.h"
+#include "fit_client/fitting/describe_fit.h"
 #include "fit_client/fitting/fit_inputs.h"
 #include "tests/fit_client/fitting/winding_number.h"
 #include "tests/fit_client/panels/drawn_kinds.h"
@@ -237,6 +239,27 @@ TEST(WornKinds, DressedFromCoarseToFineTheSkirtHangsWhereTheCoarseOneHung) {
     EXPECT_NEAR(MeanHeight(fine, worn.stages.final, corner), MeanHeight(coarse, alone.stages.final, corner), 0.01);
   }
   EXPECT_EQ(worn.stages.belted.size(), fine.rest_positions.size());
+}
+
+// What a drape says in numbers is put into words with a remedy: cloth that trembles, and a dress that was pulled up.
+TEST(WornKinds, TheReportNamesARemedyForTremblingAndTheWayOfATug) {
+  Dressing dressed;
+  dressed.report.outcome = DrapeOutcome::kNotAtRest;
+  dressed.report.finishing_reason = "not at rest after 20000 substeps";
+  dressed.report.tugging_substeps = 160;
+  dressed.report.tugged_way = 0.031;
+  FitReport report;
+  DescribeOutcome(dressed, /*is_bottom=*/false, {}, report);
+  EXPECT_EQ(report.finishing_reason, "STEP_LIMIT");
+  EXPECT_NE(report.finishing_text.find("scan again with arms and legs away"), std::string::npos);
+  const auto names_way = [](const std::string& note) { return note.find("up by 31 mm") != std::string::npos; };
+  EXPECT_TRUE(std::any_of(report.notes.begin(), report.notes.end(), names_way));
+  dressed.report = {};
+  dressed.report.outcome = DrapeOutcome::kAtRest;
+  FitReport calm;
+  DescribeOutcome(dressed, /*is_bottom=*/false, {}, calm);
+  EXPECT_EQ(calm.finishing_text.find("scan again"), std::string::npos);
+  EXPECT_FALSE(std::any_of(calm.notes.begin(), calm.notes.end(), names_way));
 }
 
 // A woven skirt that is a fifth too narrow: its side seam gapes by the girth that is missing, which a tape round the
