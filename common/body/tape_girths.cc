@@ -14,6 +14,7 @@ constexpr int kSlabCount = 256;
 constexpr double kSmallestArea = 5e-4;  // Of an outline that is more than dirt (unit: square metre).
 constexpr double kLargestBridge = 0.1;  // Over holes of the scan (unit: metre).
 constexpr double kLargestGuess = 0.1;   // Part of an outline that may be bridges.
+constexpr double kTrunkReach = 0.6;     // From a point of a trunk's section to the farthest other one (unit: metre).
 constexpr double kBelowCrotch = 0.015;  // Where the thigh is measured; above, the legs' outlines touch (unit: metre).
 
 SectionOptions Options() {
@@ -30,10 +31,16 @@ bool IsKnown(const LandmarkEstimate& landmark) { return landmark.confidence > 0.
 TapeGirths::TapeGirths(const Body& body) : body_(body), index_(body.mesh, kSlabCount) {}
 
 std::vector<SectionLoop> TapeGirths::TrunkLoopsAt(double height, const HeightIndex& of) const {
-  std::vector<SectionLoop> loops = of.CutAt(height, Options());
+  SectionPlane level;  // u is x and v is z, as of CutAt().
+  level.origin.y() = height;
+  return OfTrunk(of.CutAt(height, Options()), level);
+}
+
+std::vector<SectionLoop> TapeGirths::OfTrunk(std::vector<SectionLoop> loops, const SectionPlane& plane) const {
   if (loops.empty()) return loops;
   const BodyLandmarks& marks = body_.landmarks;
-  const bool is_leg = IsKnown(marks[BodyLandmark::kCrotch]) && height < marks[BodyLandmark::kCrotch].position.y();
+  const bool is_leg =
+      IsKnown(marks[BodyLandmark::kCrotch]) && plane.origin.y() < marks[BodyLandmark::kCrotch].position.y();
   if (!is_leg) {
     loops.resize(1);
     return loops;
@@ -43,8 +50,9 @@ std::vector<SectionLoop> TapeGirths::TrunkLoopsAt(double height, const HeightInd
   const double farthest = std::max(0.12, 0.9 * hip_half) + 0.1;
   // Hands hang beside the thighs: their outlines are small.
   const double smallest = 0.35 * loops.front().area;
-  std::erase_if(
-      loops, [&](const SectionLoop& loop) { return std::abs(loop.centroid.x()) > farthest || loop.area < smallest; });
+  std::erase_if(loops, [&](const SectionLoop& loop) {
+    return std::abs(plane.ToSpace(loop.centroid).x()) > farthest || loop.area < smallest;
+  });
   return loops;
 }
 
@@ -66,6 +74,22 @@ std::vector<Eigen::Vector2d> TapeGirths::TrunkOutlineAt(double height) const { r
 std::vector<Eigen::Vector2d> TapeGirths::TrunkOutlineAt(double height, const HeightIndex& of) const {
   std::vector<Eigen::Vector2d> points;
   for (const SectionLoop& loop : TrunkLoopsAt(height, of)) {
+    points.insert(points.end(), loop.points.begin(), loop.points.end());
+  }
+  return points;
+}
+
+std::vector<Eigen::Vector2d> TapeGirths::TrunkOutlineIn(const SectionPlane& plane) const {
+  return TrunkOutlineIn(plane, index_);
+}
+
+std::vector<Eigen::Vector2d> TapeGirths::TrunkOutlineIn(const SectionPlane& plane, const HeightIndex& of) const {
+  const Eigen::Vector3d normal = plane.u.cross(plane.v);
+  const double slope = std::hypot(normal.x(), normal.z()) / std::max(std::abs(normal.y()), 0.1);
+  const double reach = kTrunkReach * slope + 1e-6;
+  const std::vector<int> triangles = of.TrianglesBetween(plane.origin.y() - reach, plane.origin.y() + reach);
+  std::vector<Eigen::Vector2d> points;
+  for (const SectionLoop& loop : OfTrunk(CutByPlane(of.mesh(), triangles, plane, Options()), plane)) {
     points.insert(points.end(), loop.points.begin(), loop.points.end());
   }
   return points;

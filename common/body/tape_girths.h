@@ -25,6 +25,9 @@ class TapeGirths {
   // own mesh one that is worn on it, for example the closed surface of a garment.
   std::vector<Eigen::Vector2d> TrunkOutlineAt(double height) const;
   std::vector<Eigen::Vector2d> TrunkOutlineAt(double height, const HeightIndex& of) const;
+  // The same in a plane that may be tilted, in its coordinates.
+  std::vector<Eigen::Vector2d> TrunkOutlineIn(const SectionPlane& plane) const;
+  std::vector<Eigen::Vector2d> TrunkOutlineIn(const SectionPlane& plane, const HeightIndex& of) const;
   // Round one leg, or the mean of both, at a height below the crotch.
   std::optional<double> LegAt(double height) const;
   // Half way between hip joint and knee at most, just below the crotch: where trousers' thighs are measured.
@@ -38,6 +41,8 @@ class TapeGirths {
  private:
   // One trunk, or both legs.
   std::vector<SectionLoop> TrunkLoopsAt(double height, const HeightIndex& of) const;
+  // Of outlines in a plane at about this height those of the trunk or the legs, without the arms.
+  std::vector<SectionLoop> OfTrunk(std::vector<SectionLoop> loops, const SectionPlane& plane) const;
   std::optional<double> LimbGirth(const Eigen::Vector3d& centre, const Eigen::Vector3d& direction, double reach) const;
 
   const Body& body_;

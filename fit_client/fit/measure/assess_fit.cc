@@ -8,14 +8,13 @@
 #include <utility>
 
 #include "common/base/check.h"
-#include "common/body/plane_section.h"
 #include "common/body/polygon.h"
 #include "common/body/tape_girths.h"
 #include "fit_client/fit/measure/body_gap.h"
 #include "fit_client/fit/measure/cloth_strain.h"
 #include "fit_client/fit/measure/contact_pressure.h"
 #include "fit_client/fit/measure/garment_line.h"
-#include "fit_client/fit/measure/taut_length.h"
+#include "fit_client/fit/measure/way_round_body.h"
 
 namespace fitroom {
 namespace {
@@ -28,10 +27,10 @@ constexpr double kHemReach = 0.03;      // A garment that ends so near below a p
 constexpr double kHemStep = 0.0025;     // at the first of these steps where its line is whole (unit: metre).
 constexpr double kBodyOffset = 0.003;   // Cloth that lies on the body is this far from it (unit: metre).
 constexpr double kBeltOffset = 0.001;   // And a belt so much farther (unit: metre).
-constexpr int kLayerSlabs = 128;
 constexpr double kZoneHalfHeight = 0.04;  // Of the cloth that counts as a zone's (unit: metre).
 constexpr double kBelowArmpit = 0.05;     // Where the upper arm is measured, along the arm (unit: metre).
 constexpr double kSleeveReach = 0.2;      // Of the cut round the arm (unit: metre).
+constexpr double kArmholeReach = 0.08;    // A sleeve that begins lower is measured so much lower (unit: metre).
 
 // A zone's line on the flat garment, where it has one.
 struct ZoneLine {
@@ -47,10 +46,8 @@ class Assessor {
         cloth_(*input.cloth),
         positions_(*input.positions),
         body_(*input.body),
-        tape_(*input.body),
-        strains_(ComputeStrain(cloth_, positions_)) {
-    for (const TriangleMesh* layer : input.layers) layers_.emplace_back(*layer, kLayerSlabs);
-  }
+        way_round_(*input.body, input.layers),
+        strains_(ComputeStrain(cloth_, positions_)) {}
 
   FitAssessment Run() {
     FitAssessment result;
@@ -85,6 +82,8 @@ class Assessor {
       maps.pressure[i] = is_touching_[i] ? std::max(0.0, maps.pressure[i]) : 0.0;
     }
   }
+
+  const TapeGirths& tape() const { return way_round_.tape(); }
 
   // Lowest (or highest) flat height of the named points on a panel; nothing where the panel has none of them.
   std::optional<double> PointHeight(size_t panel, std::initializer_list<std::string_view> names, bool lowest) const {
@@ -166,29 +165,14 @@ class Assessor {
 
   // What body and layers ask of a line, half by half.
   void AddWayRoundBody(const GarmentLine& line, ZoneFit& fit) const {
-    const std::vector<Eigen::Vector2d> under = OutlineUnder(line.height);
+    const std::vector<Eigen::Vector2d> under = way_round_.OutlineAt(line.height);
     if (!input_.layers.empty() && !under.empty()) fit.layered_girth = TapeLength(under);
     if (!line.is_closed) return;
     for (const size_t panel : {0U, 1U}) {
       const LineHalf& half = line.halves[panel];
-      const Eigen::Vector2d right(half.ends[0].x(), half.ends[0].z());
-      const Eigen::Vector2d left(half.ends[1].x(), half.ends[1].z());
-      const std::vector<Eigen::Vector2d> outline = OutlineUnder(half.height);
-      // Seen from above with x to the right, the front (+z) is left of the way from the wearer's right to the left.
-      const double taut =
-          panel == 0 ? TautLength(outline, right, left, kBodyOffset) : TautLength(outline, left, right, kBodyOffset);
+      const double taut = way_round_.TautLengthOf(half, /*is_front=*/panel == 0, kBodyOffset);
       fit.least_worn_girth += std::max(half.flat_length, taut);
     }
-  }
-
-  // The section of the trunk and of what is worn on it below this garment, as (x, z).
-  std::vector<Eigen::Vector2d> OutlineUnder(double height) const {
-    std::vector<Eigen::Vector2d> points = tape_.TrunkOutlineAt(height);
-    for (const HeightIndex& layer : layers_) {
-      const std::vector<Eigen::Vector2d> of_layer = tape_.TrunkOutlineAt(height, layer);
-      points.insert(points.end(), of_layer.begin(), of_layer.end());
-    }
-    return points;
   }
 
   void TakeLine(const LineHeights& heights, int leg_count, const std::string& name, ZoneLine& zone) {
@@ -225,7 +209,7 @@ class Assessor {
     zone.fit.body_girth = body_.measurements.waist.girth;
     // Where a waistband lies below the waist the body is wider; far below, the garment was not put on at all.
     if (line.found && line.height > body_.measurements.hip.height) {
-      zone.fit.body_girth = tape_.TrunkAt(line.height).value_or(zone.fit.body_girth);
+      zone.fit.body_girth = tape().TrunkAt(line.height).value_or(zone.fit.body_girth);
     }
     TakeLine(*heights, 1, "waist", zone);
     if (line.found && zone.has_line) {
@@ -235,7 +219,7 @@ class Assessor {
       // The belt lies on the body and gathers or stretches the edge to its own length.
       zone.fit.is_belted = true;
       zone.fit.least_worn_girth =
-          TapeLength(OutlineUnder(line.height)) + 2.0 * std::numbers::pi * (kBodyOffset + kBeltOffset);
+          TapeLength(way_round_.OutlineAt(line.height)) + 2.0 * std::numbers::pi * (kBodyOffset + kBeltOffset);
     }
     return zone;
   }
@@ -246,7 +230,7 @@ class Assessor {
     const bool is_top = input_.kind == GarmentKind::kTShirt || input_.kind == GarmentKind::kLongSleeve;
     const int left = FindParticle(is_top ? "front/e3" : "front/e2");
     const int right = FindParticle(is_top ? "front/e7" : "front/e6");
-    zone.fit.body_girth = tape_.ShoulderBreadth().value_or(0.0);
+    zone.fit.body_girth = tape().ShoulderBreadth().value_or(0.0);
     if (left < 0 || right < 0 || !(zone.fit.body_girth > 0.0)) {
       zone.fit.note = "the shoulders of body or garment are not known";
       return zone;
@@ -260,9 +244,21 @@ class Assessor {
     return zone;
   }
 
+  // The line round a sleeve there, or a little farther down the arm where the armhole passes through.
+  GarmentLine FindWholeSleeve(const Eigen::Vector3d& origin, const Eigen::Vector3d& along, bool left) const {
+    const auto at = [&](double down) {
+      return MeasureSleeve(cloth_, positions_, origin + down * along, along, kSleeveReach, left);
+    };
+    for (double down = 0.0; down < kArmholeReach; down += kHemStep) {
+      const GarmentLine line = at(down);
+      if (line.found && line.is_closed) return line;
+    }
+    return at(0.0);
+  }
+
   ZoneLine MeasureUpperArm() {
     ZoneLine zone;
-    const std::optional<GirthMeasurement> girth = tape_.UpperArm(kBelowArmpit);
+    const std::optional<GirthMeasurement> girth = tape().UpperArm(kBelowArmpit);
     if (!girth) {
       zone.fit.note = "the scan gave no upper arm girth";
       return zone;
@@ -277,7 +273,7 @@ class Assessor {
       if (armpit.confidence == 0.0 || along.norm() < 0.05) continue;
       const Eigen::Vector3d unit = along.normalized();
       const Eigen::Vector3d origin = arm.root + (unit.dot(armpit.position - arm.root) + kBelowArmpit) * unit;
-      const GarmentLine line = MeasureSleeve(cloth_, positions_, origin, unit, kSleeveReach, left);
+      const GarmentLine line = FindWholeSleeve(origin, unit, left);
       if (!line.found) continue;
       zone.fit.garment_girth += line.flat_girth;
       zone.fit.worn_girth += line.worn_girth;
@@ -297,7 +293,7 @@ class Assessor {
     ZoneLine zone;
     const bool is_thigh = which == FitZone::kThigh;
     const std::string name(FitZoneWords(which));
-    const std::optional<GirthMeasurement> girth = is_thigh ? tape_.Thigh() : tape_.Knee();
+    const std::optional<GirthMeasurement> girth = is_thigh ? tape().Thigh() : tape().Knee();
     if (girth) zone.fit.body_girth = girth->girth;
     const std::optional<LineHeights> heights =
         is_thigh ? LineAtPoints({"crotch"}, /*lowest=*/true, kBelowCrotch)
@@ -324,7 +320,7 @@ class Assessor {
     const GarmentLine line = MeasureLine(cloth_, positions_, *heights);
     if (line.found) {
       const std::optional<double> body =
-          has_legs ? tape_.LegAt(std::max(line.height, LowestOfLeg())) : tape_.TrunkAt(line.height);
+          has_legs ? tape().LegAt(std::max(line.height, LowestOfLeg())) : tape().TrunkAt(line.height);
       zone.fit.body_girth = body.value_or(0.0);
     }
     TakeLine(*heights, has_legs ? 2 : 1, "hem", zone);
@@ -423,8 +419,7 @@ class Assessor {
   const ClothMesh& cloth_;
   const std::vector<Eigen::Vector3d>& positions_;
   const Body& body_;
-  const TapeGirths tape_;
-  std::vector<HeightIndex> layers_;
+  const WayRoundBody way_round_;  // And round what is worn below.
   const std::vector<TriangleStrain> strains_;
   std::vector<double> laplace_pressures_;
   std::vector<double> contact_pressures_;

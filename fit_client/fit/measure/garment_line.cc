@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace fitroom {
@@ -139,6 +140,7 @@ GarmentLine MeasureLine(const ClothMesh& cloth, const std::vector<Eigen::Vector3
     half.worn_length += worn;
     half.flat_length += (piece->rest[1] - piece->rest[0]).norm();
     half.height += worn * 0.5 * (piece->worn[0].y() + piece->worn[1].y());
+    half.centre += worn * 0.5 * (piece->worn[0] + piece->worn[1]);
   }
   line.is_closed = true;
   const std::vector<bool> is_sewn = SewnFlags(cloth);
@@ -146,6 +148,7 @@ GarmentLine MeasureLine(const ClothMesh& cloth, const std::vector<Eigen::Vector3
     LineHalf& half = line.halves[panel];
     if (!(half.worn_length > 0.0)) return {};
     half.height /= half.worn_length;
+    half.centre /= half.worn_length;
     line.is_closed = ends[panel].Find(is_sewn, half) && line.is_closed;
   }
   Conclude(line);
@@ -182,8 +185,11 @@ GarmentLine MeasureSleeve(const ClothMesh& cloth, const std::vector<Eigen::Vecto
                           const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double reach, bool left) {
   GarmentLine line;
   if (positions.size() != cloth.rest_positions.size()) return line;
+  std::set<std::pair<int, int>> of_sleeve;
+  std::set<std::pair<int, int>> of_torso;
   for (const Eigen::Vector3i& triangle : cloth.triangles) {
-    if (SleevePart(cloth, triangle, left) <= 0.5) continue;
+    const bool is_sleeve = SleevePart(cloth, triangle, left) > 0.5;
+    if (!is_sleeve && !IsTorso(cloth, triangle)) continue;
     std::array<double, 3> value = {};
     for (size_t k = 0; k < 3; ++k) {
       const auto corner = static_cast<size_t>(triangle[static_cast<Eigen::Index>(k)]);
@@ -191,8 +197,11 @@ GarmentLine MeasureSleeve(const ClothMesh& cloth, const std::vector<Eigen::Vecto
     }
     const std::optional<CutPiece> piece = Cut(cloth, positions, triangle, value);
     if (!piece || (piece->worn[0] - origin).norm() > reach) continue;
-    Add(*piece, line);
+    (is_sleeve ? of_sleeve : of_torso).insert(piece->edges.begin(), piece->edges.end());
+    if (is_sleeve) Add(*piece, line);
   }
+  line.is_closed = std::none_of(of_sleeve.begin(), of_sleeve.end(),
+                                [&](const std::pair<int, int>& edge) { return of_torso.contains(edge); });
   Conclude(line);
   return line;
 }

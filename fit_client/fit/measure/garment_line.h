@@ -16,6 +16,7 @@ struct LineHalf {
   double worn_length = 0.0;
   double flat_length = 0.0;
   double height = 0.0;                                             // Mean, as worn.
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();                // Mean place of the cloth on it, as worn.
   std::array<Eigen::Vector3d, 2> ends = {Eigen::Vector3d::Zero(),  // As worn: the wearer's right one, the left one.
                                          Eigen::Vector3d::Zero()};
 };
@@ -27,7 +28,8 @@ struct GarmentLine {
   double worn_girth = 0.0;  // Along the cloth as worn; open seams count nothing (unit: metre).
   double flat_girth = 0.0;  // Of the same line at rest: twice the flat width (unit: metre).
   double height = 0.0;      // Mean of the worn line (unit: metre).
-  // False: it runs out of the cloth at a hem or a neckline, and its lengths are not those of a girth.
+  // False: it runs out of the cloth at a hem or a neckline, or out of a sleeve into the torso, and its lengths are not
+  // those of a girth.
   bool is_closed = false;
   std::array<LineHalf, 2> halves;  // Of the front and of the back panel; MeasureLine() alone fills them.
 };

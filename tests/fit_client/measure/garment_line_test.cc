@@ -96,6 +96,24 @@ TEST(GarmentLine, LeavesSleevesOut) {
   EXPECT_FALSE(MeasureSleeve(band.cloth, band.worn, {0.15, 1.0, 0.0}, Eigen::Vector3d::UnitY(), 0.2, false).found);
 }
 
+// Across a whole tube it is closed; where a part of the tube is the torso's it runs out of the sleeve.
+TEST(GarmentLine, RoundASleeveIsClosedBelowTheArmholeOnly) {
+  Band band = MakeBand(0.05, 0.3, 0.0, 0.0, 0.01);
+  for (const Eigen::Vector3d& rest : band.cloth.rest_positions) {
+    band.cloth.left_sleeve_weights.push_back(rest.y() < 0.5 * rest.x() ? 1.0 : 0.0);  // A slanting armhole.
+    band.cloth.right_sleeve_weights.push_back(0.0);
+  }
+  const auto at = [&](double height) {
+    return MeasureSleeve(band.cloth, band.worn, {0.0, height, 0.0}, Eigen::Vector3d::UnitY(), 0.2, true);
+  };
+  const GarmentLine through_armhole = at(1.0);
+  EXPECT_TRUE(through_armhole.found);
+  EXPECT_FALSE(through_armhole.is_closed);
+  const GarmentLine below = at(0.9);
+  EXPECT_TRUE(below.is_closed);
+  EXPECT_NEAR(below.flat_girth, 2.0 * kPi * 0.05, 1e-6);
+}
+
 TEST(GarmentLine, OfAnOpeningIsItsEdge) {
   const Band band = MakeBand(0.15, 0.3, 0.08, 0.0, 0.01);
   std::vector<int> upper;

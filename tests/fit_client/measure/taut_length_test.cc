@@ -2,9 +2,13 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "fit_client/fit/measure/way_round_body.h"
+#include "tests/fit_client/measure/band_on_cylinder.h"
 
 namespace fitroom {
 namespace {
@@ -50,6 +54,50 @@ TEST(TautLength, IsStraightWhereNothingLiesOnTheLeft) {
   EXPECT_DOUBLE_EQ(TautLength(Circle({0.0, -0.2}, 0.1), {-0.2, 0.0}, {0.2, 0.0}, 0.003), 0.4);
   // The same circle seen the other way round is on the left.
   EXPECT_GT(TautLength(Circle({0.0, -0.2}, 0.1), {0.2, 0.0}, {-0.2, 0.0}, 0.003), 0.5);
+}
+
+// A line that rises from its seams over a cylinder lies in a slanting plane: half the perimeter of an ellipse, against
+// the half circle of the level way.
+TEST(WayRoundBody, FollowsALineThatRisesFromItsSeams) {
+  constexpr double kR = 0.15;
+  Body body;
+  body.mesh = MakeCylinder(kR);
+  const WayRoundBody way(body, {});
+  for (const bool is_front : {true, false}) {
+    const double side = is_front ? 1.0 : -1.0;
+    for (const double slope : {0.0, 0.2, 0.4}) {
+      LineHalf half;
+      half.ends = {Eigen::Vector3d(-kR, 1.0, 0.0), Eigen::Vector3d(kR, 1.0, 0.0)};
+      half.centre = {0.0, 1.0 + slope * 2.0 * kR / kPi, side * 2.0 * kR / kPi};
+      const std::optional<SectionPlane> plane = PlaneOf(half, is_front);
+      ASSERT_TRUE(plane);
+      EXPECT_NEAR(plane->v.y() / (side * plane->v.z()), slope, 1e-9);
+      double expected = 0.0;  // Of (R cos t, R sqrt(1 + slope^2) sin t), by the midpoint rule.
+      constexpr int kSteps = 2000;
+      for (int i = 0; i < kSteps; ++i) {
+        const double t = (i + 0.5) * kPi / kSteps;
+        expected += kPi / kSteps * kR * std::sqrt(1.0 + slope * slope * std::cos(t) * std::cos(t));
+      }
+      EXPECT_NEAR(way.TautLengthOf(half, is_front, 0.0), expected, 1e-3) << slope;
+    }
+  }
+}
+
+// Too flat or too steep to say which way it leans: level.
+TEST(WayRoundBody, TakesAHalfThatDoesNotBulgeAsLevel) {
+  LineHalf half;
+  half.ends = {Eigen::Vector3d(-0.15, 1.0, 0.0), Eigen::Vector3d(0.15, 1.02, 0.0)};
+  for (const Eigen::Vector3d& centre : {Eigen::Vector3d(0.0, 1.03, 0.001), Eigen::Vector3d(0.0, 1.3, 0.1)}) {
+    half.centre = centre;
+    const std::optional<SectionPlane> plane = PlaneOf(half, /*is_front=*/true);
+    ASSERT_TRUE(plane);
+    EXPECT_NEAR(plane->u.y(), 0.0, 1e-12);
+    EXPECT_NEAR(plane->v.y(), 0.0, 1e-12);
+    EXPECT_GT(plane->v.z(), 0.99);
+    EXPECT_NEAR(plane->origin.y(), centre.y(), 1e-12);
+  }
+  half.ends[1] = half.ends[0] + Eigen::Vector3d(0.0, 0.1, 0.0);
+  EXPECT_FALSE(PlaneOf(half, true));
 }
 
 }  // namespace
