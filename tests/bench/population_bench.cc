@@ -1,7 +1,7 @@
 // Dresses a population: every body in every outfit, each garment in the size of its chart that the body's primary
 // dimension names, or so many steps smaller or larger. Prints a line a garment and a table an outfit.
 //   population_bench --bodies FOLDER --garments FOLDER [--every N] [--step N] [--outfit NAME[+NAME]]... [--pitch-cm
-//   P]... [--threads N] [--all-sizes] [--check]
+//   P]... [--threads N] [--all-sizes] [--body NAME]... [--zones] [--check]
 // FOLDER of garments: one folder a garment, as `shop_catalog extract` makes it, named as in the outfits.
 
 #include <algorithm>
@@ -38,6 +38,8 @@ struct Flags {
   bool one_mesh = false;
   bool check = false;
   bool all_sizes = false;
+  bool zones = false;
+  std::vector<std::string> names;
 };
 
 // What came out of one garment of one outfit on one body.
@@ -210,6 +212,19 @@ void PrintRow(const Row& row) {
   std::fflush(stdout);
 }
 
+// Where the millimetres of a garment's lines are.
+void PrintZones(const Row& row) {
+  for (const ZoneFit& zone : row.zones) {
+    if (!zone.measured) continue;
+    std::printf(
+        "       %-6s %3.1f cm %-12s %-9s at %6.1f cm: body %7.1f flat %7.1f has to be %7.1f worn %7.1f mm, strain mean "
+        "%4.1f %%, %3.0f %% on the body%s\n",
+        row.body.c_str(), row.pitch_cm, row.garment.c_str(), std::string(FitZoneName(zone.zone)).c_str(),
+        zone.height * 1e2, zone.body_girth * 1e3, zone.garment_girth * 1e3, zone.least_worn_girth * 1e3,
+        zone.worn_girth * 1e3, zone.strain_mean * 1e2, zone.contact_share * 1e2, zone.is_belted ? ", belted" : "");
+  }
+}
+
 void PrintSummary(const std::vector<Row>& rows, const Flags& flags) {
   std::printf("\n%-14s %9s %9s %9s %6s %12s %10s %9s %10s %11s %8s\n", "outfit", "garments", "finished", "stated",
               "torn", "deepest mm", "inside>0.1", "seam mm", "crossings", "ease max mm", "mean s");
@@ -309,7 +324,10 @@ int Run(const Flags& flags) {
   }
   std::sort(files.begin(), files.end());
   std::vector<std::filesystem::path> chosen;
-  for (size_t i = 0; i < files.size(); i += static_cast<size_t>(flags.every)) chosen.push_back(files[i]);
+  for (size_t i = 0; i < files.size(); i += static_cast<size_t>(flags.every)) {
+    const bool is_named = std::find(flags.names.begin(), flags.names.end(), files[i].stem()) != flags.names.end();
+    if (flags.names.empty() || is_named) chosen.push_back(files[i]);
+  }
 
   if (chosen.empty()) {
     std::fprintf(stderr, "no PLY in %s\n", flags.bodies.c_str());
@@ -352,7 +370,10 @@ int Run(const Flags& flags) {
         for (const double pitch_cm : flags.pitches_cm) {
           const std::vector<Row> rows = FitOne(file, *body, outfit, wardrobe, pitch_cm, size, flags);
           const std::lock_guard lock(mutex);
-          for (const Row& row : rows) PrintRow(row);
+          for (const Row& row : rows) {
+            PrintRow(row);
+            if (flags.zones) PrintZones(row);
+          }
           all.insert(all.end(), rows.begin(), rows.end());
         }
       }
@@ -386,6 +407,8 @@ int main(int argc, char** argv) {
   app.add_option("--threads", flags.threads, "Fits at a time")->check(CLI::Range(1, 64));
   app.add_option("--pitch-cm", flags.pitches_cm,
                  "Edge length of the cloth meshes; several times: compares their girths");
+  app.add_option("--body", flags.names, "Only bodies of this name; several times");
+  app.add_flag("--zones", flags.zones, "A line a zone: what the girths are");
   app.add_flag("--one-mesh", flags.one_mesh, "Dress fine meshes without coarser ones first");
   app.add_flag("--no-self-collision", flags.no_self_collision, "Let cloth pass through itself");
   app.add_flag("--check", flags.check,
