@@ -61,12 +61,24 @@ void TakeForkMeasures(const ForkedPattern& forked, std::vector<GarmentMeasure>& 
   }
 }
 
+// Round sleeves, armholes, straps and the crotch no mesh has longer edges: longer ones find no room between arm and
+// trunk, and garments hang higher on them (unit: metre).
+constexpr double kTightPitch = 0.0125;
+
 // Meshes the panels at twice the pitch, and so on up to a centimetre, the coarsest first; a garment that such a mesh
-// cannot hold does without. Coarser ones come to rest late where arm and trunk leave little room.
+// cannot hold does without. Coarser ones come to rest late where arm and trunk leave little room. A mesh that is
+// coarser itself is put on by one of a centimetre: friction holds a garment where the way there left it, so that meshes
+// agree only if they take the same way.
 template <typename Mesh>
 std::vector<ClothMesh> CoarserMeshes(double pitch, const Mesh& mesh) {
   constexpr double kCoarsestPitch = 0.0125;  // (unit: metre)
+  constexpr double kDressingPitch = 0.01;    // (unit: metre)
   std::vector<ClothMesh> coarser;
+  if (pitch > kCoarsestPitch) {
+    Result<ClothMesh> made = mesh(kDressingPitch);
+    if (made.ok()) coarser.push_back(std::move(made).value());
+    return coarser;
+  }
   for (double coarse = 2.0 * pitch; coarse <= kCoarsestPitch; coarse *= 2.0) {
     Result<ClothMesh> made = mesh(coarse);
     if (!made.ok()) break;
@@ -100,7 +112,9 @@ Result<CutGarment> CutGarmentToSize(const Garment& garment, const CutOptions& op
     FR_ASSIGN_OR_RETURN(fork, CutFork(garment, photographed, pattern, cut.size, options.fork_rule, cut.notes));
   }
   const std::optional<ForkedPattern>& forked = fork.forked;
-  const auto mesh = [&](double pitch) { return forked ? MeshFork(*forked, pitch) : MeshPattern(pattern, pitch); };
+  const auto mesh = [&](double pitch) {
+    return forked ? MeshFork(*forked, pitch, kTightPitch) : MeshPattern(pattern, pitch, kTightPitch);
+  };
   FR_ASSIGN_OR_RETURN(cut.cloth, mesh(options.pitch));
   if (options.with_coarser) cut.coarser = CoarserMeshes(options.pitch, mesh);
   cut.topology = ComputeWeldedTopology(cut.cloth);

@@ -27,8 +27,8 @@ struct CutGarment {
   GarmentKind kind = GarmentKind::kTShirt;
   std::string size;  // Empty where the garment has no chart.
   ClothMesh cloth;
-  // Of a fine mesh: the same panels at twice the pitch, and so on up to a centimetre, the coarsest first, to be dressed
-  // from coarse to fine.
+  // The meshes by which it is put on, in their order: of a fine mesh the same panels at twice the pitch, and so on up
+  // to a centimetre, the coarsest first; of one coarser than that the panels at a centimetre.
   std::vector<ClothMesh> coarser;
   ClothTopology topology;                // Once it is sewn.
   std::vector<GarmentMeasure> measures;  // Of this size, flat, with how each is known.

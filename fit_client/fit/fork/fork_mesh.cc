@@ -39,11 +39,12 @@ size_t IndexOf(const PanelPattern& piece, const std::string& name) {
 }
 
 // Samples every section by its own points; of two that are sewn the second takes the shares of the first.
-std::array<Shares, kForkPieceCount> ChooseShares(const ForkedPattern& forked, double pitch) {
+std::array<Shares, kForkPieceCount> ChooseShares(const ForkedPattern& forked, double pitch, double tight_pitch) {
   std::array<Shares, kForkPieceCount> shares;
   for (size_t p = 0; p < shares.size(); ++p) {
+    const panels::MeshSize size(forked.pieces[p], pitch, tight_pitch);
     for (const OutlineSection& section : forked.pieces[p].sections) {
-      shares[p].push_back(panels::SampleShares(section, pitch));
+      shares[p].push_back(panels::SampleShares(section, size));
     }
   }
   for (const ForkSeam& seam : kSeams) {
@@ -60,10 +61,10 @@ std::array<Shares, kForkPieceCount> ChooseShares(const ForkedPattern& forked, do
 
 }  // namespace
 
-Result<ClothMesh> MeshFork(const ForkedPattern& forked, double pitch) {
+Result<ClothMesh> MeshFork(const ForkedPattern& forked, double pitch, double tight_pitch) {
   FR_RETURN_IF_ERROR(panels::CheckPitch(pitch));
   FR_CHECK(forked.pieces.size() == static_cast<size_t>(kForkPieceCount));
-  const std::array<Shares, kForkPieceCount> shares = ChooseShares(forked, pitch);
+  const std::array<Shares, kForkPieceCount> shares = ChooseShares(forked, pitch, tight_pitch);
   ClothMesh mesh;
   std::array<panels::OutlineSamples, kForkPieceCount> samples;
   std::array<std::vector<int>, kForkPieceCount> particles;
@@ -75,8 +76,8 @@ Result<ClothMesh> MeshFork(const ForkedPattern& forked, double pitch) {
     const double sign = left ? 1.0 : -1.0;
     const auto pixel_at = [&](const Eigen::Vector2d& point) { return texture.PixelAt({sign * point.x(), point.y()}); };
     samples[p] = panels::SampleOutlineAt(piece, shares[p]);
-    FR_ASSIGN_OR_RETURN(particles[p],
-                        panels::AppendPanel(piece, forked.photographed.kind, samples[p], pitch, pixel_at, mesh));
+    FR_ASSIGN_OR_RETURN(particles[p], panels::AppendPanel(piece, forked.photographed.kind, samples[p],
+                                                          panels::MeshSize(piece, pitch, tight_pitch), pixel_at, mesh));
   }
   for (const ForkSeam& seam : kSeams) {
     const size_t a = static_cast<size_t>(seam.piece_a), b = static_cast<size_t>(seam.piece_b);

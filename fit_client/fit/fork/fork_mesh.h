@@ -3,6 +3,7 @@
 #include "common/base/status.h"
 #include "fit_client/fit/cloth_mesh.h"
 #include "fit_client/fit/fork/fork.h"
+#include "fit_client/fit/panels/mesh_pattern.h"
 
 namespace fitroom {
 
@@ -12,6 +13,6 @@ namespace fitroom {
 // to one. panel_of_particle is the photograph that a piece shows, 0 front, 1 back. A named point that both pieces of a
 // photograph have (waist_centre, crotch) names the left piece's particle.
 // Fails as MeshPattern().
-Result<ClothMesh> MeshFork(const ForkedPattern& forked, double pitch);
+Result<ClothMesh> MeshFork(const ForkedPattern& forked, double pitch, double tight_pitch = kNowhereTight);
 
 }  // namespace fitroom

@@ -36,11 +36,11 @@ std::vector<int> RowOrder(const std::vector<Eigen::Vector2d>& points, double pit
 }  // namespace
 
 Result<std::vector<int>> AppendPanel(const PanelPattern& panel, GarmentKind kind, const OutlineSamples& outline,
-                                     double pitch, const PixelMap& pixel_at, ClothMesh& mesh) {
-  FR_ASSIGN_OR_RETURN(const PanelMesh flat, MeshPanel(outline.points, outline.sewn, pitch));
+                                     const MeshSize& size, const PixelMap& pixel_at, ClothMesh& mesh) {
+  FR_ASSIGN_OR_RETURN(const PanelMesh flat, MeshPanel(outline.points, outline.sewn, size));
   const bool is_front = panel.side == GarmentSide::kFront;
   const int base = static_cast<int>(mesh.rest_positions.size());
-  const std::vector<int> order = RowOrder(flat.points, pitch);
+  const std::vector<int> order = RowOrder(flat.points, size.pitch());
   std::vector<int> particle_of(flat.points.size());
   const SleeveWeight left_sleeve(panel, kind, /*left=*/true), right_sleeve(panel, kind, /*left=*/false);
   const Eigen::Array2d image_size(panel.image_width, panel.image_height);
@@ -49,7 +49,7 @@ Result<std::vector<int>> AppendPanel(const PanelPattern& panel, GarmentKind kind
     pixels = outline.pixels;
     for (size_t v = pixels.size(); v < flat.points.size(); ++v) pixels.push_back(pixel_at(flat.points[v]));
   } else {
-    pixels = ComputePanelPixels(panel, outline, flat, pitch);
+    pixels = ComputePanelPixels(panel, outline, flat, size.pitch());
   }
   for (size_t i = 0; i < order.size(); ++i) {
     const size_t v = static_cast<size_t>(order[i]);

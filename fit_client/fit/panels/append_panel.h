@@ -18,7 +18,7 @@ using PixelMap = std::function<Eigen::Vector2d(const Eigen::Vector2d&)>;
 // Appends one panel or piece to the cloth; returns the particle of each of its outline's samples. Without a `pixel_at`
 // the pixels are ComputePanelPixels().
 Result<std::vector<int>> AppendPanel(const PanelPattern& panel, GarmentKind kind, const OutlineSamples& outline,
-                                     double pitch, const PixelMap& pixel_at, ClothMesh& mesh);
+                                     const MeshSize& size, const PixelMap& pixel_at, ClothMesh& mesh);
 
 // Sorts the seams' pairs by their particles and drops those that two seams share, as an underarm.
 void SortSeams(ClothMesh& mesh);

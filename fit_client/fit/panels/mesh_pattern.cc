@@ -7,15 +7,17 @@
 
 namespace fitroom {
 
-Result<ClothMesh> MeshPattern(const GarmentPattern& pattern, double pitch) {
+Result<ClothMesh> MeshPattern(const GarmentPattern& pattern, double pitch, double tight_pitch) {
   FR_RETURN_IF_ERROR(panels::CheckPitch(pitch));
-  const panels::OutlineSamples front = panels::SampleOutline(pattern.front, pitch);
-  const panels::OutlineSamples back = panels::SampleOutline(pattern.back, pitch);
+  const panels::MeshSize front_size(pattern.front, pitch, tight_pitch);
+  const panels::MeshSize back_size(pattern.back, pitch, tight_pitch);
+  const panels::OutlineSamples front = panels::SampleOutline(pattern.front, front_size);
+  const panels::OutlineSamples back = panels::SampleOutline(pattern.back, back_size);
   ClothMesh mesh;
   FR_ASSIGN_OR_RETURN(const std::vector<int> front_particles,
-                      panels::AppendPanel(pattern.front, pattern.kind, front, pitch, /*pixel_at=*/nullptr, mesh));
+                      panels::AppendPanel(pattern.front, pattern.kind, front, front_size, /*pixel_at=*/nullptr, mesh));
   FR_ASSIGN_OR_RETURN(const std::vector<int> back_particles,
-                      panels::AppendPanel(pattern.back, pattern.kind, back, pitch, /*pixel_at=*/nullptr, mesh));
+                      panels::AppendPanel(pattern.back, pattern.kind, back, back_size, /*pixel_at=*/nullptr, mesh));
 
   for (size_t s = 0; s < pattern.front.sections.size(); ++s) {
     if (pattern.front.sections[s].kind != SectionKind::kSeam) continue;

@@ -5,11 +5,12 @@
 
 #include <Eigen/Core>
 
+#include "fit_client/fit/panels/mesh_size.h"
 #include "fit_client/fit/panels/pattern.h"
 
 namespace fitroom::panels {
 
-// A panel's outline sampled about every pitch, counter-clockwise, corners once.
+// A panel's outline sampled about every edge length, counter-clockwise, corners once.
 struct OutlineSamples {
   std::vector<Eigen::Vector2d> points;  // (unit: metre)
   std::vector<Eigen::Vector2d> pixels;
@@ -24,10 +25,10 @@ struct OutlineSamples {
 
 // Samples all sections. Corners are samples exactly; so are the other knots that lie at least 0.8 pitches from their
 // neighbours. The number of samples depends on the section's points alone, so that equal seams are sampled equally.
-OutlineSamples SampleOutline(const PanelPattern& panel, double pitch);
+OutlineSamples SampleOutline(const PanelPattern& panel, const MeshSize& size);
 
 // Returns the places of one section's samples as shares of its length, from 0 to 1.
-std::vector<double> SampleShares(const OutlineSection& section, double pitch);
+std::vector<double> SampleShares(const OutlineSection& section, const MeshSize& size);
 
 // The same at given places, so that seams of two pieces are sampled one to one: `shares` holds those of each section.
 OutlineSamples SampleOutlineAt(const PanelPattern& panel, const std::vector<std::vector<double>>& shares);

@@ -90,18 +90,21 @@ std::vector<double> Crossings(std::span<const Eigen::Vector2d> outline, double y
   return crossings;
 }
 
-// The lattice points inside the outline and clear of it, row by row upwards, each row from right to left of the wearer.
-void AddLattice(std::span<const Eigen::Vector2d> outline, const OutlineDistance& distance, double pitch,
-                std::vector<Eigen::Vector2d>& points) {
+// The lattice points of a level inside the outline and clear of it, row by row upwards, each row from right to left of
+// the wearer. Every point of a level's lattice is one of the next finer level's as well: the coarsest has its first row
+// unshifted, so that the finer ones have every second.
+void AddLattice(std::span<const Eigen::Vector2d> outline, const OutlineDistance& distance, const MeshSize& size,
+                int level, std::vector<Eigen::Vector2d>& points) {
+  const double pitch = size.PitchOf(level);
   const double row_height = 0.5 * std::numbers::sqrt3 * pitch;
-  int row = 0;
+  int row = level == 0 ? 0 : 1;
   for (double y = distance.low().y() + row_height; y < distance.high().y(); y += row_height, ++row) {
     const double shift = row % 2 == 0 ? 0.0 : 0.5;
     const std::vector<double> crossings = Crossings(outline, y);
     for (size_t k = 0; k + 1 < crossings.size(); k += 2) {
       for (double n = std::ceil(crossings[k] / pitch - shift); (n + shift) * pitch < crossings[k + 1]; ++n) {
         const Eigen::Vector2d point((n + shift) * pitch, y);
-        if (distance.At(point) >= kOutlineClearance * pitch) points.push_back(point);
+        if (size.LevelAt(point) == level && distance.At(point) >= kOutlineClearance * pitch) points.push_back(point);
       }
     }
   }
@@ -113,7 +116,7 @@ bool IsPositive(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen:
 
 // Puts a point into the middle of each edge that is too long and not between two outline points; middles that crowd
 // the outline or each other are left out.
-void SplitLongEdges(const OutlineDistance& distance, int outline_count, double pitch, PanelMesh& mesh) {
+void SplitLongEdges(const OutlineDistance& distance, int outline_count, const MeshSize& size, PanelMesh& mesh) {
   std::vector<Eigen::Vector2d> middles;
   for (const Eigen::Vector3i& t : mesh.triangles) {
     for (int k = 0; k < 3; ++k) {
@@ -121,8 +124,9 @@ void SplitLongEdges(const OutlineDistance& distance, int outline_count, double p
       if (a > b || b < outline_count) continue;  // Each inner edge is seen from both sides; one is enough.
       const Eigen::Vector2d& p = mesh.points[static_cast<size_t>(a)];
       const Eigen::Vector2d& q = mesh.points[static_cast<size_t>(b)];
-      if ((p - q).norm() < kLongEdge * pitch) continue;
       const Eigen::Vector2d middle = 0.5 * (p + q);
+      const double pitch = std::max({size.At(p), size.At(q), size.At(middle)});
+      if ((p - q).norm() < kLongEdge * pitch) continue;
       const bool crowded = distance.At(middle) < 0.5 * pitch ||
                            std::any_of(middles.begin(), middles.end(),
                                        [&](const auto& other) { return (other - middle).norm() < 0.75 * pitch; });
@@ -151,11 +155,11 @@ bool SplitSewnBridges(const std::vector<bool>& sewn, PanelMesh& mesh) {
 
 // Moves the points near the outline towards the middle of their neighbours. A move that would turn a triangle over is
 // not made.
-void SmoothNearOutline(int outline_count, const OutlineDistance& distance, double pitch, PanelMesh& mesh) {
+void SmoothNearOutline(int outline_count, const OutlineDistance& distance, const MeshSize& size, PanelMesh& mesh) {
   const size_t count = mesh.points.size();
   std::vector<bool> may_move(count, false);
   for (size_t v = static_cast<size_t>(outline_count); v < count; ++v) {
-    may_move[v] = distance.At(mesh.points[v]) < kSmoothingDepth * pitch;
+    may_move[v] = distance.At(mesh.points[v]) < kSmoothingDepth * size.At(mesh.points[v]);
   }
   std::vector<std::vector<int>> triangles_of(count);
   for (size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -164,7 +168,8 @@ void SmoothNearOutline(int outline_count, const OutlineDistance& distance, doubl
       if (may_move[v]) triangles_of[v].push_back(static_cast<int>(t));
     }
   }
-  const double least_area = 1e-3 * pitch * pitch;
+  const double finest = size.PitchOf(size.level_count());
+  const double least_area = 1e-3 * finest * finest;
   const auto point = [&](int v) -> const Eigen::Vector2d& { return mesh.points[static_cast<size_t>(v)]; };
   for (int sweep = 0; sweep < kSweepsPerRound; ++sweep) {
     for (size_t v = static_cast<size_t>(outline_count); v < count; ++v) {
@@ -223,8 +228,8 @@ std::vector<bool> NearSharpAngles(const PanelMesh& mesh) {
 // Moves inner points of triangles that are too sharp to where the sharpest angle round the point is widest, looking in
 // eight directions with ever shorter steps. What averaging leaves between a curved outline and the lattice is mended
 // so.
-void OpenSharpAngles(int outline_count, double pitch, PanelMesh& mesh) {
-  for (double step = 0.16 * pitch; step > 0.01 * pitch; step *= 0.5) {
+void OpenSharpAngles(int outline_count, const MeshSize& size, PanelMesh& mesh) {
+  for (double share = 0.16; share > 0.01; share *= 0.5) {
     const std::vector<bool> may_move = NearSharpAngles(mesh);
     std::vector<std::vector<int>> triangles_of(mesh.points.size());
     for (size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -244,6 +249,7 @@ void OpenSharpAngles(int outline_count, double pitch, PanelMesh& mesh) {
       double best = sharpest_round(v);
       if (best < kSharpCosine) continue;
       const Eigen::Vector2d from = mesh.points[v];
+      const double step = share * size.At(from);
       Eigen::Vector2d to = from;
       for (int direction = 0; direction < 8; ++direction) {
         const double heading = direction * std::numbers::pi / 4.0;
@@ -260,7 +266,8 @@ void OpenSharpAngles(int outline_count, double pitch, PanelMesh& mesh) {
 
 }  // namespace
 
-Result<PanelMesh> MeshPanel(std::span<const Eigen::Vector2d> outline, const std::vector<bool>& sewn, double pitch) {
+Result<PanelMesh> MeshPanel(std::span<const Eigen::Vector2d> outline, const std::vector<bool>& sewn,
+                            const MeshSize& size) {
   FR_CHECK(sewn.size() == outline.size());
   PanelMesh mesh;
   mesh.points.assign(outline.begin(), outline.end());
@@ -270,14 +277,14 @@ Result<PanelMesh> MeshPanel(std::span<const Eigen::Vector2d> outline, const std:
     }
   }
   if (outline.size() < 3) return InvalidArgument("TOO_FEW_POINTS", "a panel's outline needs three points");
-  const OutlineDistance distance(outline, kSmoothingDepth * pitch);
-  AddLattice(outline, distance, pitch, mesh.points);
+  const OutlineDistance distance(outline, kSmoothingDepth * size.pitch());
+  for (int level = 0; level <= size.level_count(); ++level) AddLattice(outline, distance, size, level, mesh.points);
 
   const int outline_count = static_cast<int>(outline.size());
   for (int round = 0;; ++round) {
     FR_ASSIGN_OR_RETURN(mesh.triangles, TriangulatePolygon(mesh.points, outline_count));
     if (round == kSmoothingRounds) {
-      OpenSharpAngles(outline_count, pitch, mesh);
+      OpenSharpAngles(outline_count, size, mesh);
       FR_ASSIGN_OR_RETURN(mesh.triangles, TriangulatePolygon(mesh.points, outline_count));
       break;
     }
@@ -285,10 +292,10 @@ Result<PanelMesh> MeshPanel(std::span<const Eigen::Vector2d> outline, const std:
       FR_ASSIGN_OR_RETURN(mesh.triangles, TriangulatePolygon(mesh.points, outline_count));
     }
     if (round == 1) {
-      SplitLongEdges(distance, outline_count, pitch, mesh);
+      SplitLongEdges(distance, outline_count, size, mesh);
       FR_ASSIGN_OR_RETURN(mesh.triangles, TriangulatePolygon(mesh.points, outline_count));
     }
-    SmoothNearOutline(outline_count, distance, pitch, mesh);
+    SmoothNearOutline(outline_count, distance, size, mesh);
   }
   return mesh;
 }

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "common/base/status.h"
+#include "fit_client/fit/panels/mesh_size.h"
 
 namespace fitroom::panels {
 
@@ -15,11 +16,12 @@ struct PanelMesh {
   std::vector<Eigen::Vector3i> triangles;  // Counter-clockwise.
 };
 
-// Fills a counter-clockwise outline, sampled about every `pitch`, with triangles of about that size: an equilateral
-// lattice that mirrors itself at x = 0, joined to the outline by a constrained Delaunay triangulation and smoothed
-// where the two meet. `sewn` says of each sample of the outline whether it is sewn to the other panel: no inner edge
-// joins two of these, because both panels may have it and sewn up the two would be one edge with four triangles. Fails
-// as TriangulatePolygon().
-Result<PanelMesh> MeshPanel(std::span<const Eigen::Vector2d> outline, const std::vector<bool>& sewn, double pitch);
+// Fills a counter-clockwise outline, sampled about as `size` says, with triangles of about that size: an equilateral
+// lattice that mirrors itself at x = 0, each finer one holding the coarser ones, joined to the outline by a constrained
+// Delaunay triangulation and smoothed where the two meet. `sewn` says of each sample of the outline whether it is sewn
+// to the other panel: no inner edge joins two of these, because both panels may have it and sewn up the two would be
+// one edge with four triangles. Fails as TriangulatePolygon().
+Result<PanelMesh> MeshPanel(std::span<const Eigen::Vector2d> outline, const std::vector<bool>& sewn,
+                            const MeshSize& size);
 
 }  // namespace fitroom::panels

@@ -92,8 +92,8 @@ bool RefineCoarserPixels(const PanelPattern& panel, const PanelMesh& mesh, size_
                          std::vector<Eigen::Vector2d>& pixels) {
   const double coarse_pitch = 2.0 * pitch;
   if (coarse_pitch > kCoarsestPitch) return false;
-  const OutlineSamples outline = SampleOutline(panel, coarse_pitch);
-  const Result<PanelMesh> coarse = MeshPanel(outline.points, outline.sewn, coarse_pitch);
+  const OutlineSamples outline = SampleOutline(panel, MeshSize(coarse_pitch));
+  const Result<PanelMesh> coarse = MeshPanel(outline.points, outline.sewn, MeshSize(coarse_pitch));
   if (!coarse.ok()) return false;
   const std::vector<Eigen::Vector2d> coarse_pixels = ComputePanelPixels(panel, outline, *coarse, coarse_pitch);
   const PiecewiseLinearMap map(*coarse, coarse_pixels, 2.0 * coarse_pitch);

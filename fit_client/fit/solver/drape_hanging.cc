@@ -50,17 +50,22 @@ constexpr int kOpeningRounds = 3;        // A seam may give way once its neighbo
 // What a tug pushes deeper into the body than this is undone (unit: metre).
 constexpr double kDeepestAfterTug = 1e-4;
 
-// The mean edge of the mesh, within what the steps were tuned on (unit: metre).
+// The mean edge of the mesh, of one with edges of several lengths not much more than the short ones, within what the
+// steps were tuned on (unit: metre).
 double MeanEdgeLength(const ClothMesh& mesh) {
+  constexpr double kOverShort = 1.25;  // Meshes of one pitch stay below.
   double sum = 0.0;
+  std::vector<double> lengths;
   for (const Eigen::Vector3i& triangle : mesh.triangles) {
     for (int corner = 0; corner < 3; ++corner) {
-      sum += (mesh.rest_positions[static_cast<size_t>(triangle[corner])] -
-              mesh.rest_positions[static_cast<size_t>(triangle[(corner + 1) % 3])])
-                 .norm();
+      lengths.push_back((mesh.rest_positions[static_cast<size_t>(triangle[corner])] -
+                         mesh.rest_positions[static_cast<size_t>(triangle[(corner + 1) % 3])])
+                            .norm());
+      sum += lengths.back();
     }
   }
-  return std::clamp(sum / (3.0 * static_cast<double>(mesh.triangles.size())), 0.004, 0.025);
+  const double mean = sum / (3.0 * static_cast<double>(mesh.triangles.size()));
+  return std::clamp(std::min(mean, kOverShort * Percentile(lengths, 0.1)), 0.004, 0.025);
 }
 
 // The pairs that were closed by merging and do not give way.
@@ -316,6 +321,10 @@ Status HangingGarment::ComeToRest(bool starts_worn) {
       is_settling = true;
       motion.time_step = kSettlingStep * edge_scale;
       solver_.SetMotion(motion);
+      // What was raised on the way over ridges would hold cloth off the body where it came to lie.
+      if (window_count + kPatientRestWindows < kRaisingWindows) {
+        std::fill(state_.extra_offset.begin(), state_.extra_offset.end(), 0.0F);
+      }
     }
     run_.Observe(DrapeStage::kDraping, 0.3 + 0.7 * report.draping_substeps / options.draping_substep_limit);
   }

@@ -144,6 +144,21 @@ TEST(WornKinds, AShirtIsWornOverASkirtAndNothingOfItEndsInside) {
   EXPECT_EQ(CountInside(wearer.scan.body.mesh, over->stages.final), 0);
 }
 
+// Friction holds a garment where the way there left it: every pitch is put on by edges of at most a centimetre, and
+// where it is tight none has longer ones.
+TEST(WornKinds, EveryPitchIsDressedByEdgesOfACentimetreAtMost) {
+  const Garment garment = testing::DrawKind(GarmentKind::kTShirt);
+  CutOptions options;
+  options.with_coarser = true;
+  for (const double pitch : {0.02, 0.01, 0.005}) {
+    options.pitch = pitch;
+    const CutGarment cut = CutGarmentToSize(garment, options).value();
+    const ClothMesh& first = cut.coarser.empty() ? cut.cloth : cut.coarser.front();
+    EXPECT_NEAR(MeanEdgeLength(first), 0.01, 0.001) << pitch;
+    EXPECT_EQ(cut.coarser.empty(), pitch == 0.01);
+  }
+}
+
 // S46: folded photographs do not decide the fork. The garment can be worn, what is hidden stays unknown; asked for, a
 // rule's estimate is one.
 TEST(WornKinds, AnAssumedForkIsWornAndNotMeasured) {

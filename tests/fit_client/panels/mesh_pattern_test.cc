@@ -242,6 +242,40 @@ TEST(MeshPattern, GivesTheSameBytesEachTime) {
   EXPECT_EQ(first->texture_coordinates, second->texture_coordinates);
 }
 
+// Round sleeves and underarms edges are short at any pitch, elsewhere as long as the pitch; seams stay paired to the
+// bit.
+TEST(MeshPattern, IsFineWhereItIsTightAndCoarseElsewhere) {
+  const GarmentPattern pattern = CrumpledPattern();
+  constexpr double kTight = 0.0125;
+  for (const double pitch : {0.02, 0.04}) {
+    const ClothMesh mesh = MeshPattern(pattern, pitch, kTight).value();
+    EXPECT_EQ(ComputeEulerCharacteristic(mesh), -2);
+    EXPECT_GT(QualityOf(mesh).least_angle_deg, 20.0) << pitch;
+    EXPECT_LT(QualityOf(mesh).longest_edge, 1.65 * pitch);
+    EXPECT_GT(QualityOf(mesh).longest_edge, 0.9 * pitch);
+    for (const SeamPair& seam : mesh.seams) {
+      EXPECT_EQ(mesh.rest_positions[static_cast<size_t>(seam.a)], mesh.rest_positions[static_cast<size_t>(seam.b)]);
+    }
+    const Eigen::Vector2d& underarm = *FindPatternPoint(pattern.front, "underarm_L");
+    int near_count = 0;
+    for (const Eigen::Vector3i& t : mesh.triangles) {
+      const Eigen::Vector3d& a = mesh.rest_positions[static_cast<size_t>(t[0])];
+      const Eigen::Vector3d& b = mesh.rest_positions[static_cast<size_t>(t[1])];
+      const double sleeve = mesh.left_sleeve_weights[static_cast<size_t>(t[0])];
+      if (sleeve < 1.0 && (a.head<2>() - underarm).norm() > 0.1) continue;
+      ++near_count;
+      EXPECT_LT((b - a).norm(), 1.65 * kTight) << pitch << " at " << a.transpose();
+    }
+    EXPECT_GT(near_count, 100);
+    EXPECT_LT(mesh.rest_positions.size(), MeshPattern(pattern, kTight)->rest_positions.size());
+  }
+  // Where no edge is longer anyway nothing changes, to the last bit.
+  const ClothMesh plain = MeshPattern(pattern, 0.01).value();
+  const ClothMesh same = MeshPattern(pattern, 0.01, kTight).value();
+  EXPECT_EQ(plain.rest_positions, same.rest_positions);
+  EXPECT_EQ(plain.triangles, same.triangles);
+}
+
 TEST(MeshPattern, CutsEveryPitchInItsRangeAndRefusesOthers) {
   const GarmentPattern pattern = CrumpledPattern();
   for (double pitch : {0.05, 0.033, 0.017, 0.0075}) {
