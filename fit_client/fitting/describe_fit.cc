@@ -97,7 +97,7 @@ void DescribeCaught(const DrapeReport& drape, FitReport& report) {
   std::snprintf(
       text, sizeof(text),
       "the cloth is caught on the body: somewhere it is stretched to %.1f times its length and %.1f mm deep in "
-      "the body; scan again with arms and legs away from each other, or take a larger size",
+      "the body; scan again with arms and legs away from each other",
       1.0 + drape.strain_max, 1e3 * drape.deepest_penetration);
   report.finishing_text = text;
 }

@@ -18,6 +18,7 @@
 #include "fit_client/render/scene.h"
 #include "fit_client/render/size_sheet.h"
 #include "fit_client/report/fit_page.h"
+#include "fit_client/report/fit_words.h"
 
 namespace fitroom {
 namespace {
@@ -192,8 +193,7 @@ Result<OutputFile> WriteSizeSheet(const std::filesystem::path& folder, const std
     render::SizeColumn column;
     column.size = worn.cut.size;
     if (worn.report.verdict) {
-      column.verdict = Capitals(std::string(FitVerdictWords(worn.report.verdict->verdict)) +
-                                (worn.report.verdict->reason.empty() ? "" : ": " + worn.report.verdict->reason));
+      column.verdict = Capitals(VerdictSentence(*worn.report.verdict));
     }
     for (const ZoneFit& zone : worn.report.zones) {
       if (!zone.measured) continue;

@@ -1,5 +1,6 @@
 #include "fit_client/fitting/judge_fit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -81,6 +82,28 @@ FitZone ZoneOfOpenSeam(const FittedGarment& fitted) {
   return nearest;
 }
 
+// Another size lies over the same garments as the worn one.
+void TakeLayers(const std::vector<ZoneFit>& worn, std::vector<ZoneFit>& zones) {
+  for (ZoneFit& zone : zones) {
+    const auto same =
+        std::find_if(worn.begin(), worn.end(), [&zone](const ZoneFit& other) { return other.zone == zone.zone; });
+    if (same != worn.end()) zone.layered_girth = same->layered_girth;
+  }
+}
+
+// What else helps where cloth is caught on the body. By girth alone: a size that is too large tears as well.
+std::string OtherSizeAdvice(const SizeVerdict& verdict) {
+  switch (verdict.verdict) {
+    case FitVerdict::kTight:
+    case FitVerdict::kDoesNotFit:
+      return ", or take a larger size (" + verdict.reason + ")";
+    case FitVerdict::kLoose:
+      return ", or take a smaller size (" + verdict.reason + ")";
+    default:
+      return "";
+  }
+}
+
 }  // namespace
 
 const Fabric& FabricOf(const Garment& garment) {
@@ -123,6 +146,9 @@ void JudgeWorn(const Body& body, std::span<const WornGarment> layers, const Dres
     std::snprintf(gap, sizeof(gap), "; the seam gapes by %.0f mm", 1000.0 * fitted.report.seams.max);
     fitted.report.finishing_text = fitted.report.verdict->reason + gap;
   }
+  if (fitted.report.finishing_reason == "CAUGHT_ON_BODY") {
+    fitted.report.finishing_text += OtherSizeAdvice(*fitted.report.verdict);
+  }
 }
 
 void JudgeChart(const Body& body, FittedGarment& fitted) {
@@ -140,6 +166,7 @@ void JudgeChart(const Body& body, FittedGarment& fitted) {
     verdict.fabric = FabricOf(garment);
     const std::vector<GarmentMeasure> measures = MeasuresOfSize(fitted, size);
     verdict.zones = ZonesFromMeasures(garment.kind, measures, body);
+    TakeLayers(fitted.report.zones, verdict.zones);
     verdict.unknown = UnknownDimensions(garment.kind, measures);
     verdict.intended = IntendedGirths(garment.chart, i);
     fitted.report.sizes.push_back(JudgeSize(verdict));

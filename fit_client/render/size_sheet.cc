@@ -16,7 +16,12 @@ constexpr int kColumnWidth = 300;  // (unit: pixel)
 constexpr int kViewHeight = 450;   // (unit: pixel)
 constexpr int kGap = 6;            // (unit: pixel)
 constexpr int kHead = 52;          // Above the pictures (unit: pixel).
-constexpr int kFoot = 210;         // Below them (unit: pixel).
+constexpr int kVerdictTop = 14;    // Below the pictures (unit: pixel).
+constexpr int kVerdictLine = 18;   // (unit: pixel)
+constexpr int kEaseFoot = 124;     // Below the verdict, for six lines of ease (unit: pixel).
+constexpr int kFewestVerdictLines = 4;
+constexpr int kMostVerdictLines = 16;  // A longer verdict ends in dots.
+constexpr double kVerdictHeight = 12.0;
 constexpr size_t kEaseLineCount = 6;
 constexpr std::array<uint8_t, 3> kChosen = {0, 90, 160};
 
@@ -69,17 +74,31 @@ void Frame(Image& sheet, int left, int width) {
   }
 }
 
+std::vector<std::string> VerdictLines(const SizeColumn& column) {
+  std::vector<std::string> lines = WrapLabel(column.verdict, kVerdictHeight, kColumnWidth - 28);
+  if (lines.size() > kMostVerdictLines) {
+    lines.resize(kMostVerdictLines);
+    lines.back() = "...";
+  }
+  return lines;
+}
+
+// Room below the pictures for the longest verdict and the ease (unit: pixel).
+int FootOf(const std::vector<SizeColumn>& columns) {
+  int most = kFewestVerdictLines;
+  for (const SizeColumn& column : columns) most = std::max(most, static_cast<int>(VerdictLines(column).size()));
+  return kVerdictTop + most * kVerdictLine + kEaseFoot;
+}
+
 void WriteColumn(Image& sheet, const SizeColumn& column, int left) {
   const std::array<uint8_t, 3> ink = {50, 52, 56};
   const LabelStyle name = Style(22.0, column.is_recommended ? kChosen : ink);
   DrawLabel(sheet, column.size, left + 0.5 * (kColumnWidth - MeasureLabel(column.size, name)), 15.0, name);
-  double y = kHead + 2 * kViewHeight + kGap + 14;
-  const LabelStyle verdict = Style(12.0, column.is_recommended ? kChosen : ink);
-  size_t line_count = 0;
-  for (const std::string& line : WrapLabel(column.verdict, verdict.height, kColumnWidth - 28)) {
-    if (++line_count > 4) break;
+  double y = kHead + 2 * kViewHeight + kGap + kVerdictTop;
+  const LabelStyle verdict = Style(kVerdictHeight, column.is_recommended ? kChosen : ink);
+  for (const std::string& line : VerdictLines(column)) {
     DrawLabel(sheet, line, left + 14, y, verdict);
-    y += 18.0;
+    y += kVerdictLine;
   }
   y += 6.0;
   const LabelStyle ease = Style(10.5, ink);
@@ -131,7 +150,7 @@ Result<Image> DrawSizeSheet(const DisplayBody& body, const std::vector<SizeColum
   FR_RETURN_IF_ERROR(shares[0].status);
   FR_RETURN_IF_ERROR(shares[1].status);
   const int count = static_cast<int>(columns.size());
-  Image sheet = MakeImage(count * (kColumnWidth + kGap) - kGap, kHead + 2 * kViewHeight + kGap + kFoot, 3);
+  Image sheet = MakeImage(count * (kColumnWidth + kGap) - kGap, kHead + 2 * kViewHeight + kGap + FootOf(columns), 3);
   std::fill(sheet.pixels.begin(), sheet.pixels.end(), uint8_t{255});
   for (size_t c = 0; c < columns.size(); ++c) {
     const int left = static_cast<int>(c) * (kColumnWidth + kGap);

@@ -12,7 +12,7 @@ namespace fitroom::render {
 // One size of a garment on one body. Views of what the caller owns.
 struct SizeColumn {
   std::string size;                     // "M"
-  std::string verdict;                  // One line: "TIGHT AT THE HIP: …"; wrapped where it is too long.
+  std::string verdict;                  // "TIGHT AT THE HIP: …"; wrapped, and the sheet grows with the longest.
   std::vector<std::string> ease_lines;  // "BUST +8 CM", one a line, at most six are shown.
   bool is_recommended = false;          // Framed.
   GarmentShape shape;                   // The size as worn; no cloth: the size was not dressed.

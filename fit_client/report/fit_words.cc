@@ -9,13 +9,15 @@
 
 namespace fitroom {
 
-std::string VerdictWords(const SizeVerdict& verdict) {
+std::string VerdictSentence(const SizeVerdict& verdict) {
   const std::string words(FitVerdictWords(verdict.verdict));
+  if (verdict.reason.empty()) return words;
   // "tight at the hip: …" says it already.
-  const std::string sentence = verdict.reason.empty()              ? words
-                               : verdict.reason.starts_with(words) ? verdict.reason
-                                                                   : words + ": " + verdict.reason;
-  return sentence +
+  return verdict.reason.starts_with(words) ? verdict.reason : words + ": " + verdict.reason;
+}
+
+std::string VerdictWords(const SizeVerdict& verdict) {
+  return VerdictSentence(verdict) +
          (verdict.is_close ? Format(" (a close call: measures are known to %.0f mm)", verdict.uncertainty * 1e3) : "");
 }
 

@@ -6,7 +6,10 @@
 
 namespace fitroom {
 
-// A verdict as a shopper reads it first: "tight at the hip: 2 cm less than the 5 cm a woven needs".
+// A verdict with its reason, nothing said twice: "tight at the hip: 2 cm less than the 5 cm a woven needs".
+std::string VerdictSentence(const SizeVerdict& verdict);
+
+// The same as a shopper reads it first: with what the measures leave open.
 std::string VerdictWords(const SizeVerdict& verdict);
 
 // The main direction of strain, an angle from the horizontal (unit: radian): "round", "oblique" or "along".

@@ -93,6 +93,21 @@ ZoneVerdict JudgeZone(const VerdictInput& input, const ZoneFit& fit, const EaseB
   return verdict;
 }
 
+// What is worn below needs room as well: the garment has to go round body and layers, stretched by no more than its
+// band allows round the body. The room to move in is the body's, so that a woven's least ease is not asked twice.
+void JudgeLayers(const VerdictInput& input, const ZoneFit& fit, ZoneVerdict& verdict) {
+  if (fit.layered_girth <= fit.body_girth || verdict.verdict == FitVerdict::kDoesNotFit) return;
+  const std::optional<EaseBand> band = EaseBandOf(input.kind, input.fabric, fit.zone, fit.layered_girth);
+  if (!band) return;
+  const double lacking = fit.layered_girth + std::min(0.0, band->least) - fit.garment_girth;
+  verdict.is_close = verdict.is_close || std::abs(lacking) < kFitUncertainty;
+  if (lacking <= 0.0 || (verdict.verdict == FitVerdict::kTight && verdict.amount >= lacking)) return;
+  verdict.verdict = FitVerdict::kTight;
+  verdict.amount = lacking;
+  verdict.reason =
+      Centimetres(fit.layered_girth - fit.garment_girth) + " narrower than the body with what is worn below";
+}
+
 // What decides first: cannot be put on, then tight, then loose.
 int Rank(FitVerdict verdict) {
   switch (verdict) {
@@ -190,7 +205,9 @@ SizeVerdict JudgeSize(const VerdictInput& input) {
   for (const ZoneFit& fit : input.zones) {
     if (!fit.measured || fit.provenance == Provenance::kUnknown) continue;
     const std::optional<EaseBand> band = BandOf(input, fit);
-    if (band) result.zones.push_back(JudgeZone(input, fit, *band));
+    if (!band) continue;
+    result.zones.push_back(JudgeZone(input, fit, *band));
+    JudgeLayers(input, fit, result.zones.back());
   }
   for (const ZoneVerdict& zone : result.zones) {
     result.is_close = result.is_close || zone.is_close;

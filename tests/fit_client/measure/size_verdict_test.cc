@@ -149,6 +149,42 @@ int Tightness(FitVerdict verdict) {
   }
 }
 
+// Over what is worn below, a garment has to go round both: a woven without stretching, a knit by as much as round a
+// body.
+TEST(SizeVerdict, WhatIsWornBelowNeedsRoomToo) {
+  VerdictInput input = Trousers(0.02, 0.06, 0.05);
+  for (const double layer : {0.0, 0.02, 0.059}) {
+    input.zones[1].layered_girth = 0.96 + layer;
+    EXPECT_EQ(JudgeSize(input).verdict, FitVerdict::kGood) << layer;
+  }
+  input.zones[1].layered_girth = 0.96 + 0.09;
+  SizeVerdict verdict = JudgeSize(input);
+  EXPECT_EQ(verdict.verdict, FitVerdict::kTight);
+  EXPECT_EQ(verdict.deciding_zone, FitZone::kHip);
+  EXPECT_NEAR(verdict.shortfall, 0.03, 1e-12);
+  EXPECT_EQ(verdict.reason, "tight at the hip: 3 cm narrower than the body with what is worn below");
+  // Tight round the body by more than round the layers: the body's word stands.
+  input = Trousers(0.02, -0.02, 0.05);
+  const SizeVerdict bare = JudgeSize(input);
+  input.zones[1].layered_girth = 0.96 + 0.01;
+  EXPECT_EQ(JudgeSize(input).reason, bare.reason);
+  // What cannot be put on stays so, whatever is worn below.
+  input = Trousers(0.02, (0.96 - 0.018) / 1.10 - 0.96, 0.05);
+  input.zones[1].layered_girth = 1.2;
+  EXPECT_EQ(JudgeSize(input).verdict, FitVerdict::kDoesNotFit);
+
+  VerdictInput shirt;
+  shirt.kind = GarmentKind::kTShirt;
+  shirt.fabric = *FindFabric("jersey");
+  shirt.zones = {MakeZone(FitZone::kBust, 0.90, 0.96)};
+  const double least = EaseBandOf(shirt.kind, shirt.fabric, FitZone::kBust, 1.0)->least;  // Part of the girth.
+  ASSERT_LT(least, 0.0);
+  shirt.zones[0].layered_girth = 0.96 / (1.0 + least) - 0.001;
+  EXPECT_EQ(JudgeSize(shirt).verdict, FitVerdict::kGood);
+  shirt.zones[0].layered_girth = 0.96 / (1.0 + least) + 0.001;
+  EXPECT_EQ(JudgeSize(shirt).verdict, FitVerdict::kTight);
+}
+
 TEST(SizeVerdict, ALargerGarmentIsNeverTighter) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -164,6 +200,7 @@ TEST(SizeVerdict, ALargerGarmentIsNeverTighter) {
       garments.push_back(bodies.back() * (0.75 + 0.3 * unit(random)));
       intended.push_back(garments.back() - 0.1 * unit(random));
       input.zones.push_back(MakeZone(zone, bodies.back(), garments.back()));
+      if (trial % 3 == 0) input.zones.back().layered_girth = bodies.back() + 0.1 * unit(random);
     }
     const bool has_chart = trial % 2 == 0;
     int last = 4;

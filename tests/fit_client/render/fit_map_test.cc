@@ -127,6 +127,33 @@ TEST_F(FitMapTest, ASheetHasAColumnASizeAndFramesTheRecommendedOne) {
   EXPECT_EQ(DrawSizeSheet(capsule_.body, std::vector<SizeColumn>(13), 1).status().reason(), "BAD_SIZE_SHEET");
 }
 
+// However much a verdict has to say, its last word is drawn, and nothing of it lies over the ease below.
+TEST_F(FitMapTest, ASheetGrowsWithTheLongestVerdict) {
+  const auto sheet_of = [&](const std::string& verdict) {
+    SizeColumn column;
+    column.verdict = verdict;
+    return DrawSizeSheet(capsule_.body, {column}, 1).value();
+  };
+  const auto ink_below = [](const Image& sheet, int rows_from_bottom) {
+    int count = 0;
+    for (int y = sheet.height - rows_from_bottom; y < sheet.height; ++y) {
+      for (int x = 0; x < sheet.width; ++x) count += sheet.at(x, y)[0] < 150;
+    }
+    return count;
+  };
+  std::string all_but_last = "NOT KNOWN: THIGH";
+  for (int i = 0; i < 30; ++i) all_but_last += ", FRONT RISE";
+  const Image shorter = sheet_of(all_but_last), longer = sheet_of(all_but_last + " X");
+  ASSERT_EQ(shorter.height, longer.height);
+  EXPECT_GT(ink_below(longer, 145), ink_below(shorter, 145));
+  EXPECT_GT(ink_below(shorter, 145), 0);
+  EXPECT_EQ(ink_below(longer, 110), 0);
+  // A verdict without an end does not make a sheet of any height.
+  std::string endless;
+  for (int i = 0; i < 2000; ++i) endless += "RISE ";
+  EXPECT_LT(sheet_of(endless).height, longer.height + 300);
+}
+
 TEST(WrapLabel, BreaksAtSpacesAndLosesNoWord) {
   const std::vector<std::string> lines = WrapLabel("tight at the hip: much too tight", 12.0, 150.0);
   EXPECT_GT(lines.size(), 1U);
