@@ -61,7 +61,9 @@ if(FITROOM_PRECOMPILE)
   # What links gRPC is compiled with -pthread; headers serve only files that are compiled alike.
   target_compile_options(fitroom_flags INTERFACE -pthread)
   # From a precompiled header the optimiser's guesses about the inside of the standard library are no longer hidden.
-  target_compile_options(fitroom_flags INTERFACE -Wno-error=array-bounds -Wno-error=maybe-uninitialized -Wno-error=restrict
+  target_compile_options(fitroom_flags INTERFACE -Wno-error=array-bounds -Wno-error=dangling-pointer
+                                                 -Wno-error=free-nonheap-object -Wno-error=maybe-uninitialized
+                                                 -Wno-error=nonnull -Wno-error=restrict
                                                  -Wno-error=stringop-overflow -Wno-error=stringop-overread)
   fitroom_precompile(fitroom_precompiled HEADERS ${fitroom_precompiled_headers})
   if(FITROOM_WITH_RPC)
