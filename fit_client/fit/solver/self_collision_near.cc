@@ -1,6 +1,10 @@
 #include "fit_client/fit/solver/self_collision_near.h"
 
+#include <xmmintrin.h>
+
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -17,8 +21,22 @@ class ParticleCells {
 
   int row_count_y() const { return count_[1]; }
   int row_count_z() const { return count_[2]; }
-  const std::vector<Float4>& sorted() const { return sorted_; }  // w is not used.
   const std::vector<int>& particles() const { return particles_; }
+  // The place of the sorted particle with this number.
+  Float4 At(int place) const {
+    const size_t index = static_cast<size_t>(place);
+    return {sorted_[0][index], sorted_[1][index], sorted_[2][index], 0.0F};
+  }
+  // Returns which of the four sorted particles from `place` on lie nearer to `at` than the radius, one bit each. What
+  // follows the last particle is infinitely far.
+  int FourNear(int place, const Float4& at, float squared_radius) const {
+    const size_t index = static_cast<size_t>(place);
+    const __m128 x = _mm_sub_ps(_mm_loadu_ps(&sorted_[0][index]), _mm_set1_ps(at.x));
+    const __m128 y = _mm_sub_ps(_mm_loadu_ps(&sorted_[1][index]), _mm_set1_ps(at.y));
+    const __m128 z = _mm_sub_ps(_mm_loadu_ps(&sorted_[2][index]), _mm_set1_ps(at.z));
+    const __m128 squared = _mm_add_ps(_mm_add_ps(_mm_mul_ps(x, x), _mm_mul_ps(y, y)), _mm_mul_ps(z, z));
+    return _mm_movemask_ps(_mm_cmplt_ps(squared, _mm_set1_ps(squared_radius)));
+  }
   std::array<int, 3> CellOf(const Float4& at) const { return {Axis(at.x, 0), Axis(at.y, 1), Axis(at.z, 2)}; }
   // Returns the range of sorted particles in the cells x - 1 to x + 1 of a row.
   std::array<int, 2> Row(int x, int y, int z) const {
@@ -37,7 +55,7 @@ class ParticleCells {
   float per_cell_ = 1.0F;
   std::vector<int> begin_;
   std::vector<int> particles_;
-  std::vector<Float4> sorted_;
+  std::array<std::vector<float>, 3> sorted_;  // An axis each.
 };
 
 ParticleCells::ParticleCells(std::span<const Float4> positions, float smallest_cell) {
@@ -69,29 +87,30 @@ ParticleCells::ParticleCells(std::span<const Float4> positions, float smallest_c
   for (size_t index = 1; index < begin_.size(); ++index) begin_[index] += begin_[index - 1];
   std::vector<int> next(begin_.begin(), begin_.end() - 1);
   particles_.resize(positions.size());
-  sorted_.resize(positions.size());
+  for (std::vector<float>& axis : sorted_) axis.resize(positions.size() + 3, std::numeric_limits<float>::infinity());
   for (size_t particle = 0; particle < positions.size(); ++particle) {
     const size_t place = static_cast<size_t>(next[static_cast<size_t>(cells[particle])]++);
     particles_[place] = static_cast<int>(particle);
-    sorted_[place] = positions[particle];
+    sorted_[0][place] = positions[particle].x;
+    sorted_[1][place] = positions[particle].y;
+    sorted_[2][place] = positions[particle].z;
   }
 }
 
 // Appends the pairs of the sorted particle at `place` with those after it.
 void AppendPairs(const ParticleCells& cells, const NumberLists& neighbours, int place, float squared_radius,
                  std::vector<std::array<int, 2>>& pairs) {
-  const Float4 at = cells.sorted()[static_cast<size_t>(place)];
+  const Float4 at = cells.At(place);
   const int particle = cells.particles()[static_cast<size_t>(place)];
   const std::span<const int> ring = neighbours.Of(particle);
   const auto scan = [&](int begin, int end) {
-    for (int other = begin; other < end; ++other) {
-      const Float4& to = cells.sorted()[static_cast<size_t>(other)];
-      const float x = to.x - at.x;
-      const float y = to.y - at.y;
-      const float z = to.z - at.z;
-      if (x * x + y * y + z * z >= squared_radius) continue;
-      const int partner = cells.particles()[static_cast<size_t>(other)];
-      if (std::find(ring.begin(), ring.end(), partner) == ring.end()) pairs.push_back({particle, partner});
+    for (int four = begin; four < end; four += 4) {
+      unsigned near = static_cast<unsigned>(cells.FourNear(four, at, squared_radius));
+      if (end - four < 4) near &= (1U << static_cast<unsigned>(end - four)) - 1U;
+      for (; near != 0; near &= near - 1U) {
+        const int partner = cells.particles()[static_cast<size_t>(four + std::countr_zero(near))];
+        if (std::find(ring.begin(), ring.end(), partner) == ring.end()) pairs.push_back({particle, partner});
+      }
     }
   };
   const auto [x, y, z] = cells.CellOf(at);
