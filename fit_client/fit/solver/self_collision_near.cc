@@ -97,19 +97,20 @@ ParticleCells::ParticleCells(std::span<const Float4> positions, float smallest_c
   }
 }
 
-// Appends the pairs of the sorted particle at `place` with those after it.
+// Appends the pairs of the sorted particle at `place` with those after it. `neighbour_of` holds for each particle the
+// last one that it was found to neighbour in the mesh.
 void AppendPairs(const ParticleCells& cells, const NumberLists& neighbours, int place, float squared_radius,
-                 std::vector<std::array<int, 2>>& pairs) {
+                 std::vector<int>& neighbour_of, std::vector<std::array<int, 2>>& pairs) {
   const Float4 at = cells.At(place);
   const int particle = cells.particles()[static_cast<size_t>(place)];
-  const std::span<const int> ring = neighbours.Of(particle);
+  for (const int other : neighbours.Of(particle)) neighbour_of[static_cast<size_t>(other)] = particle;
   const auto scan = [&](int begin, int end) {
     for (int four = begin; four < end; four += 4) {
       unsigned near = static_cast<unsigned>(cells.FourNear(four, at, squared_radius));
       if (end - four < 4) near &= (1U << static_cast<unsigned>(end - four)) - 1U;
       for (; near != 0; near &= near - 1U) {
         const int partner = cells.particles()[static_cast<size_t>(four + std::countr_zero(near))];
-        if (std::find(ring.begin(), ring.end(), partner) == ring.end()) pairs.push_back({particle, partner});
+        if (neighbour_of[static_cast<size_t>(partner)] != particle) pairs.push_back({particle, partner});
       }
     }
   };
@@ -136,9 +137,10 @@ NumberLists FindNearParticles(std::span<const Float4> positions, int particle_co
   executor.Run(task_count, [&](int task) {
     const int end = std::min((task + 1) * kParticlesPerTask, particle_count);
     std::vector<std::array<int, 2>>& pairs = found[static_cast<size_t>(task)];
+    std::vector<int> neighbour_of(static_cast<size_t>(particle_count), -1);
     for (int place = task * kParticlesPerTask; place < end; ++place) {
       if (pairs.size() >= static_cast<size_t>(largest_pair_count)) break;
-      AppendPairs(cells, neighbours, place, radius * radius, pairs);
+      AppendPairs(cells, neighbours, place, radius * radius, neighbour_of, pairs);
     }
   });
   std::vector<std::array<int, 2>> owned;
