@@ -17,8 +17,11 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kSteepest = 0.35;     // A step along the outseam falls at least by this share of its length.
-constexpr double kOfItsLeg = 1e-6;     // Half widths from the middle at which a seam's particles count as one leg's.
+constexpr double kSteepest = 0.35;  // A step along the outseam falls at least by this share of its length.
+constexpr double kStackHeight =
+    0.30;                           // Cloth that is too long is pushed together over this above the foot: to the calf
+constexpr double kPleat = 0.055;    // in folds of this height (unit: metre).
+constexpr double kOfItsLeg = 1e-6;  // Half widths from the middle at which a seam's particles count as one leg's.
 constexpr double kLegsApart = 0.0015;  // Tubes of the legs stay this far from the plane between them (unit: metre).
 
 // Widths of the garment at rest, level by level: [side][panel], measured along the level (unit: metre).
@@ -221,23 +224,36 @@ class BottomPlacement {
     double y = body_.waist_height() - options_.below_waist;
     if (outline_.has_legs()) y = 0.5 * (WaistAbove(0) + WaistAbove(1));
     side_heights_ = {y};
-    double leg_scale = 1.0;
-    bool is_on_leg = false;
     for (size_t k = 1; k < seam.size(); ++k) {
-      if (outline_.has_legs() && !is_on_leg && y <= body_.groin().y()) {
-        is_on_leg = true;
-        leg_scale = LegScale(y, SeamLength(seam, k - 1, seam.size() - 1));
+      if (outline_.has_legs() && y <= body_.groin().y()) {
+        const std::vector<int> on_leg(seam.begin() + static_cast<std::ptrdiff_t>(k - 1), seam.end());
+        const std::vector<double> heights = DownLeg(y, RestArcLengths(cloth_, on_leg));
+        side_heights_.insert(side_heights_.end(), heights.begin() + 1, heights.end());
+        break;
       }
-      y = is_on_leg ? y - leg_scale * SeamLength(seam, k - 1, k) : Step(levels, seam[k - 1], seam[k], y, -1.0);
+      y = Step(levels, seam[k - 1], seam[k], y, -1.0);
       side_heights_.push_back(y);
     }
     for (size_t k = 0; k < seam.size(); ++k) heights_on_body_.Add(RestHeight(seam[k]), side_heights_[k]);
     heights_on_body_.Finish();
   }
 
-  // Legs that are too long start pushed together, because the foot is in the way.
-  double LegScale(double y, double length) const {
-    return std::clamp((y - options_.lowest_hem) / std::max(length, 1e-3), 0.3, 1.0);
+  // Heights of a leg's seam whose ways (ascending, from 0) start at `y`. A leg that is too long hangs straight down to
+  // what stands on the foot: if all of it were pushed together, it would fold where it has room, at the knee.
+  std::vector<double> DownLeg(double y, const std::vector<double>& ways) {
+    const double room = y - options_.lowest_hem;
+    const double length = std::max(ways.back(), 1e-3);
+    const double stacked = std::min(std::max(length - room, 0.0) + kStackHeight, length);
+    const double straight = length > room ? length - stacked : length;
+    const double share = length > room ? std::clamp((room - straight) / stacked, 0.3, 1.0) : 1.0;
+    if (share < 1.0) {
+      stack_top_ = std::max(stack_top_, y - straight);
+      stack_share_ = std::min(stack_share_, share);
+    }
+    std::vector<double> heights;
+    for (const double way : ways)
+      heights.push_back(y - std::min(way, straight) - share * std::max(way - straight, 0.0));
+    return heights;
   }
 
   // The height that the middle of the waist's edge reaches when the crotch is up and the cloth follows the midline.
@@ -258,12 +274,6 @@ class BottomPlacement {
       }
     }
     return WalkUpMidline(panel, {length}).front();
-  }
-
-  double SeamLength(const std::vector<int>& seam, size_t from, size_t to) const {
-    const std::vector<int> part(seam.begin() + static_cast<std::ptrdiff_t>(from),
-                                seam.begin() + static_cast<std::ptrdiff_t>(to) + 1);
-    return RestArcLengths(cloth_, part).back();
   }
 
   double Step(const GarmentLevels& levels, int from, int to, double y, double direction) const {
@@ -290,11 +300,8 @@ class BottomPlacement {
         for (size_t k = 0; k < seam.size(); ++k) give(seam[k], side_heights_[std::min(k, last)]);
         for (const auto& chain : outline_.inseams[side]) {
           if (chain.panel != panel) continue;
-          const std::vector<double> lengths = RestArcLengths(cloth_, chain.particles);
-          const double scale = LegScale(start_y_, lengths.back());
-          for (size_t k = 0; k < chain.particles.size(); ++k) {
-            give(chain.particles[k], start_y_ - scale * lengths[k]);
-          }
+          const std::vector<double> heights = DownLeg(start_y_, RestArcLengths(cloth_, chain.particles));
+          for (size_t k = 0; k < chain.particles.size(); ++k) give(chain.particles[k], heights[k]);
         }
       }
       for (const auto& chain : outline_.centre_seams[static_cast<size_t>(panel)]) GiveCentreSeam(chain, give);
@@ -401,8 +408,21 @@ class BottomPlacement {
     const double part = place - static_cast<double>(level);
     const Vector2d below = InTubes(tubes_[level], i);
     const Vector2d above = InTubes(tubes_[std::min(level + 1, tubes_.size() - 1)], i);
-    const Vector2d at = (1.0 - part) * below + part * above;
+    Vector2d at = (1.0 - part) * below + part * above;
+    if (!is_lowered_ && y < stack_top_) at += Pleat(y, at, tubes_[level].leg[across_[i].x() >= 0.0 ? 0 : 1]);
     return {at.x(), y, at.y()};
+  }
+
+  // Folds of cloth that stands on the foot, as a tube's that is pushed together: diamonds, which leave its girth as it
+  // is. Without them the cloth would have no side to give way to, and stay pushed together.
+  Vector2d Pleat(double y, const Vector2d& at, const TapeCurve& leg) const {
+    if (leg.is_empty()) return Vector2d::Zero();
+    const Vector2d outward = (at - leg.middle()).normalized();
+    const double turn = std::atan2(outward.y(), outward.x());
+    const double phase = 2.0 * std::numbers::pi * (stack_top_ - y) / kPleat;
+    // A wave of this depth is 1 / share times as long as it is high, to second order.
+    const double depth = kPleat / std::numbers::pi * std::sqrt(1.0 / stack_share_ - 1.0);
+    return depth * std::sin(phase) * std::cos(2.0 * turn) * outward;
   }
 
   Vector2d InTubes(const Tubes& tubes, size_t i) const {
@@ -470,6 +490,8 @@ class BottomPlacement {
   HeightMap heights_on_body_;
   std::vector<Tubes> tubes_;  // One a step of the body's levels.
   bool is_lowered_ = false;
+  double stack_top_ = 0.0;    // Below this height legs start folded,
+  double stack_share_ = 1.0;  // pushed together to this share of their length.
 };
 
 }  // namespace

@@ -16,7 +16,7 @@ struct BottomPoseOptions {
   double clearance = 0.006;    // From the body to the cloth (unit: metre).
   double below_groin = 0.012;  // How far below its contact the crotch starts to be pulled up (unit: metre).
   double below_waist = 0.015;  // The same for the waist's edge of a skirt (unit: metre).
-  double lowest_hem = 0.10;    // Longer legs start pushed together above this height: the foot (unit: metre).
+  double lowest_hem = 0.06;    // Longer legs start pushed together above this height: the foot (unit: metre).
   double apart = 0.15;         // How far in front and behind the panels start (unit: metre).
   double drop = 0.25;          // How much lower the start's waist lies (unit: metre).
 };
