@@ -105,8 +105,8 @@ Measures TrouserMeasures(const BodyGirths& body, bool is_short, ForkRule rule) {
   Add(measures, "waist_width", 0.5 * (body.waist + 2.0));
   Add(measures, "hip_width", hip);
   Add(measures, "thigh_width", fork.thigh_width);
-  Add(measures, "knee_width", is_short ? 30.4 + 1.15 * steps : 22.0 + 0.6 * steps);
-  Add(measures, "hem_width", is_short ? 29.4 + 1.1 * steps : 18.5 + 0.4 * steps);
+  Add(measures, "knee_width", is_short ? 27.4 + 1.1 * steps : 22.0 + 0.6 * steps);
+  Add(measures, "hem_width", is_short ? 27.4 + 1.05 * steps : 18.5 + 0.4 * steps);
   Add(measures, "front_rise", fork.front_rise);
   Add(measures, "back_rise", fork.back_rise);
   Add(measures, "inseam", inseam);
