@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "common/body/polygon.h"
+#include "fit_client/fit/stages/garment_levels.h"
 #include "fit_client/fit/stages/harmonic_extension.h"
+#include "fit_client/fit/stages/leg_stack.h"
 #include "fit_client/fit/stages/panel_outline.h"
 #include "fit_client/fit/stages/tape_curve.h"
 
@@ -17,81 +19,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kSteepest = 0.35;  // A step along the outseam falls at least by this share of its length.
-constexpr double kStackHeight =
-    0.30;                           // Cloth that is too long is pushed together over this above the foot: to the calf
-constexpr double kPleat = 0.055;    // in folds of this height (unit: metre).
-constexpr double kOfItsLeg = 1e-6;  // Half widths from the middle at which a seam's particles count as one leg's.
+constexpr double kSteepest = 0.35;     // A step along the outseam falls at least by this share of its length.
+constexpr double kOfItsLeg = 1e-6;     // Half widths from the middle at which a seam's particles count as one leg's.
 constexpr double kLegsApart = 0.0015;  // Tubes of the legs stay this far from the plane between them (unit: metre).
-
-// Widths of the garment at rest, level by level: [side][panel], measured along the level (unit: metre).
-class GarmentLevels {
- public:
-  using Widths = std::array<std::array<double, 2>, 2>;
-
-  // `across` tells the side of each particle by its sign: positive for the left.
-  GarmentLevels(const ClothMesh& cloth, const std::vector<Vector3d>& across) {
-    double low = 1e9;
-    double high = -1e9;
-    for (const Vector3d& place : cloth.rest_positions) {
-      low = std::min(low, place.y());
-      high = std::max(high, place.y());
-    }
-    low_ = low;
-    const size_t count = static_cast<size_t>(std::clamp((high - low) / kStep, 1.0, 400.0)) + 1;
-    widths_.assign(count, Widths{});
-    for (const Eigen::Vector3i& triangle : cloth.triangles) AddTriangle(cloth, across, triangle);
-    // Beyond the ends, and where a curved edge leaves part of a level empty, the next full level counts.
-    for (size_t k = 1; k < count; ++k) FillFrom(k - 1, k, 0.8);
-    for (size_t k = count - 1; k-- > 0;) FillFrom(k + 1, k, 0.8);
-  }
-
-  Widths At(double rest_y) const {
-    const double place = std::clamp((rest_y - low_) / kStep, 0.0, static_cast<double>(widths_.size() - 1));
-    return widths_[static_cast<size_t>(std::lround(place))];
-  }
-
- private:
-  static constexpr double kStep = 0.01;  // (unit: metre)
-
-  void AddTriangle(const ClothMesh& cloth, const std::vector<Vector3d>& across, const Eigen::Vector3i& triangle) {
-    const auto rest = [&](int k) { return cloth.rest_positions[static_cast<size_t>(triangle[k])]; };
-    const double low = std::min({rest(0).y(), rest(1).y(), rest(2).y()});
-    const double high = std::max({rest(0).y(), rest(1).y(), rest(2).y()});
-    double side = 0.0;
-    for (int k = 0; k < 3; ++k) side += across[static_cast<size_t>(triangle[k])].x();
-    const size_t panel = static_cast<size_t>(cloth.panel_of_particle[static_cast<size_t>(triangle[0])]);
-    for (int level = static_cast<int>(std::ceil((low - low_) / kStep));
-         level <= static_cast<int>(std::floor((high - low_) / kStep)) && level < static_cast<int>(widths_.size());
-         ++level) {
-      const double y = low_ + level * kStep;
-      double left = 1e9;
-      double right = -1e9;
-      for (int k = 0; k < 3; ++k) {
-        const Vector3d a = rest(k);
-        const Vector3d b = rest((k + 1) % 3);
-        if ((a.y() <= y) == (b.y() <= y)) continue;
-        const double x = a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
-        left = std::min(left, x);
-        right = std::max(right, x);
-      }
-      if (right > left) widths_[static_cast<size_t>(level)][side >= 0.0 ? 0 : 1][panel] += right - left;
-    }
-  }
-
-  void FillFrom(size_t full, size_t at, double share) {
-    for (size_t side = 0; side < 2; ++side) {
-      for (size_t panel = 0; panel < 2; ++panel) {
-        double& width = widths_[at][side][panel];
-        const double other = widths_[full][side][panel];
-        if (width < share * other) width = other;
-      }
-    }
-  }
-
-  double low_ = 0.0;
-  std::vector<Widths> widths_;  // Level k lies k steps above the lowest particle.
-};
 
 // Heights on the body of heights at rest: a monotone table, straight between its entries and beyond.
 class HeightMap {
@@ -238,21 +168,12 @@ class BottomPlacement {
     heights_on_body_.Finish();
   }
 
-  // Heights of a leg's seam whose ways (ascending, from 0) start at `y`. A leg that is too long hangs straight down to
-  // what stands on the foot: if all of it were pushed together, it would fold where it has room, at the knee.
+  // Heights of a leg's seam whose ways (ascending, from 0) start at `y`.
   std::vector<double> DownLeg(double y, const std::vector<double>& ways) {
-    const double room = y - options_.lowest_hem;
-    const double length = std::max(ways.back(), 1e-3);
-    const double stacked = std::min(std::max(length - room, 0.0) + kStackHeight, length);
-    const double straight = length > room ? length - stacked : length;
-    const double share = length > room ? std::clamp((room - straight) / stacked, 0.3, 1.0) : 1.0;
-    if (share < 1.0) {
-      stack_top_ = std::max(stack_top_, y - straight);
-      stack_share_ = std::min(stack_share_, share);
-    }
+    const LegStack stack = StackLeg(y, ways.back(), options_.lowest_hem);
+    if (stack.share < stack_.share) stack_ = stack;
     std::vector<double> heights;
-    for (const double way : ways)
-      heights.push_back(y - std::min(way, straight) - share * std::max(way - straight, 0.0));
+    for (const double way : ways) heights.push_back(HeightDownLeg(stack, y, way));
     return heights;
   }
 
@@ -409,20 +330,9 @@ class BottomPlacement {
     const Vector2d below = InTubes(tubes_[level], i);
     const Vector2d above = InTubes(tubes_[std::min(level + 1, tubes_.size() - 1)], i);
     Vector2d at = (1.0 - part) * below + part * above;
-    if (!is_lowered_ && y < stack_top_) at += Pleat(y, at, tubes_[level].leg[across_[i].x() >= 0.0 ? 0 : 1]);
+    const TapeCurve& leg = tubes_[level].leg[across_[i].x() >= 0.0 ? 0 : 1];
+    if (!is_lowered_ && !leg.is_empty()) at += LegFold(stack_, y, at - leg.middle());
     return {at.x(), y, at.y()};
-  }
-
-  // Folds of cloth that stands on the foot, as a tube's that is pushed together: diamonds, which leave its girth as it
-  // is. Without them the cloth would have no side to give way to, and stay pushed together.
-  Vector2d Pleat(double y, const Vector2d& at, const TapeCurve& leg) const {
-    if (leg.is_empty()) return Vector2d::Zero();
-    const Vector2d outward = (at - leg.middle()).normalized();
-    const double turn = std::atan2(outward.y(), outward.x());
-    const double phase = 2.0 * std::numbers::pi * (stack_top_ - y) / kPleat;
-    // A wave of this depth is 1 / share times as long as it is high, to second order.
-    const double depth = kPleat / std::numbers::pi * std::sqrt(1.0 / stack_share_ - 1.0);
-    return depth * std::sin(phase) * std::cos(2.0 * turn) * outward;
   }
 
   Vector2d InTubes(const Tubes& tubes, size_t i) const {
@@ -490,8 +400,7 @@ class BottomPlacement {
   HeightMap heights_on_body_;
   std::vector<Tubes> tubes_;  // One a step of the body's levels.
   bool is_lowered_ = false;
-  double stack_top_ = 0.0;    // Below this height legs start folded,
-  double stack_share_ = 1.0;  // pushed together to this share of their length.
+  LegStack stack_;  // The legs' most pushed-together seam.
 };
 
 }  // namespace
