@@ -1,5 +1,6 @@
 #include "fit_client/report/fit_report.h"
 
+#include <algorithm>
 #include <limits>
 #include <sstream>
 
@@ -288,6 +289,33 @@ TEST(FitReportPage, NothingFromOutsideBecomesMarkup) {
   EXPECT_THAT(page, Not(HasSubstr("\x1b")));
   EXPECT_THAT(page, Not(HasSubstr("http://")));
   EXPECT_TRUE(IsBalanced(WriteFitPage({})));
+}
+
+// Whatever stands in the words from outside, the page has the marks of its own markup, no more and no fewer.
+TEST(FitReportPage, WordsFromOutsideAddNoMarks) {
+  const auto page_of = [](const std::string& words) {
+    FitReport report = MakeReport();
+    report.garment_title = report.body = report.program_version = words;
+    report.warnings = report.notes = {words};
+    report.finished = false;
+    report.finishing_text = words;
+    SizeVerdict verdict;
+    verdict.size = verdict.reason = words;
+    report.verdict = verdict;
+    report.sizes = {verdict, verdict};
+    report.recommendation = SizeRecommendation{true, words, "", words};
+    ZoneFit zone;
+    zone.note = words;
+    report.zones = {zone};
+    report.measures = {{words, 0.5, Provenance::kRuled}, {words, 0.0, Provenance::kUnknown}};
+    report.files = {{words, words, 1}, {words + ".png", words, 1}, {"map_" + words + ".png", words, 1}};
+    return WriteFitPage(std::vector<FitReport>{report});
+  };
+  const std::string harmless = page_of("words"), hostile = page_of("<b>\"it's\"</b> x=y");
+  for (const char mark : {'<', '>', '"', '\''}) {
+    EXPECT_EQ(std::count(hostile.begin(), hostile.end(), mark), std::count(harmless.begin(), harmless.end(), mark))
+        << mark;
+  }
 }
 
 }  // namespace
