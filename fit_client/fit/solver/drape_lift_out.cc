@@ -28,34 +28,33 @@ Eigen::Vector3d WayOut(const SignedDistanceField& body, const Eigen::Vector3d& p
 
 std::vector<Eigen::Vector3d> LiftOut(const ClothModel& model, const SignedDistanceField& body,
                                      std::vector<Eigen::Vector3d> places) {
-  constexpr int kRounds = 12;
+  constexpr int kRounds = 24;
+  const auto for_each_sample = [&](const auto& visit) {
+    for (int particle = 0; particle < model.particle_count(); ++particle) visit(std::array<int, 1>{particle});
+    for (const auto& edge : model.edges()) visit(edge);
+    for (const auto& triangle : model.triangles()) visit(triangle);
+  };
+  const auto way_of = [&](const auto& corners) -> Eigen::Vector3d {
+    Eigen::Vector3d sample = Eigen::Vector3d::Zero();
+    for (const int corner : corners) sample += places[static_cast<size_t>(corner)];
+    return WayOut(body, sample / static_cast<double>(corners.size()));
+  };
   std::vector<Eigen::Vector3d> best = places;
   double shortest = std::numeric_limits<double>::infinity();  // Of the longest ways that are left, over the rounds.
-  std::vector<Eigen::Vector3d> ways(places.size());
   for (int round = 0; round < kRounds; ++round) {
-    std::fill(ways.begin(), ways.end(), Eigen::Vector3d::Zero());
     double longest_left = 0.0;
-    const auto lift = [&](const auto& corners) {
-      Eigen::Vector3d sample = Eigen::Vector3d::Zero();
-      for (const int corner : corners) sample += places[static_cast<size_t>(corner)];
-      sample /= static_cast<double>(corners.size());
-      const Eigen::Vector3d way = WayOut(body, sample);
-      if (way.isZero()) return;
-      longest_left = std::max(longest_left, way.norm());
-      for (const int corner : corners) {
-        Eigen::Vector3d& longest = ways[static_cast<size_t>(corner)];
-        if (way.squaredNorm() > longest.squaredNorm()) longest = way;
-      }
-    };
-    for (int particle = 0; particle < model.particle_count(); ++particle) lift(std::array<int, 1>{particle});
-    for (const auto& edge : model.edges()) lift(edge);
-    for (const auto& triangle : model.triangles()) lift(triangle);
+    for_each_sample([&](const auto& corners) { longest_left = std::max(longest_left, way_of(corners).norm()); });
     if (longest_left < shortest) {
       shortest = longest_left;
       best = places;
     }
     if (longest_left == 0.0) break;
-    for (size_t particle = 0; particle < places.size(); ++particle) places[particle] += ways[particle];
+    // One after the other, so that each sees where the last one went: together, the ways out of a crease's two walls
+    // would throw the cloth to and fro between them.
+    for_each_sample([&](const auto& corners) {
+      const Eigen::Vector3d way = way_of(corners);
+      for (const int corner : corners) places[static_cast<size_t>(corner)] += way;
+    });
   }
   return best;
 }

@@ -14,8 +14,8 @@ inline constexpr double kLiftedDistance = 2e-4;
 
 // Puts what a crease of the body or of a layer holds on its surface or just below it a little outside: particles, and
 // the edge middles and triangle centres between particles that are outside themselves, as where an edge lies across a
-// ridge. Those move their corners; a corner goes the longest of the ways that are asked of it. What is farther from the
-// body than kLiftedDistance stays where it is.
+// ridge. Those move their corners, one sample after the other. What is farther from the body than kLiftedDistance stays
+// where it is.
 // Where two surfaces leave no room, the way out of one leads into the other: of a few rounds the places are returned
 // that left least to go, which may be `places` themselves. `places` holds one place a particle (unit: metre).
 std::vector<Eigen::Vector3d> LiftOut(const ClothModel& model, const SignedDistanceField& body,
