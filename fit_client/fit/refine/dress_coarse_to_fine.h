@@ -14,9 +14,10 @@ namespace fitroom {
 // starts where the one before came to rest, sewn and held by the belt as that one was, and settles there. The garment
 // ends where the coarse one ends, with the folds that the fine mesh can have, in a fraction of the time.
 // A garment whose seams do not close is put on in the last mesh instead.
-// `meshes` are of the same panels, in the order in which they are worn, at least one; the last may also be coarser. Stages are those of the coarse mesh, carried over;
-// substeps and seconds of the report are sums over all meshes, the rest of it is of the last one.
-// Fails like DressGarment(), FindPlaces() and Settle(). The same result for any executor. `progress` may be empty.
+// `meshes` are of the same panels, in the order in which they are worn, at least one; the last may also be coarser.
+// Stages are those of the coarse mesh, carried over; substeps and seconds of the report are sums over all meshes, the
+// rest of it is of the last one. Fails like DressGarment(), FindPlaces() and Settle(). The same result for any
+// executor. `progress` may be empty.
 Result<Dressing> DressCoarseToFine(std::span<const ClothMesh* const> meshes, GarmentKind kind,
                                    const DressedBody& wearer, const DressingOptions& options, Executor& executor,
                                    const std::function<void(double done)>& progress);

@@ -69,8 +69,8 @@ std::string_view PullEndName(PullEnd end);
 struct PullUpOptions {
   double speed = 0.25;               // Of the wind at the waist (unit: m/s).
   double grip_length = 0.15;         // The wind falls to nothing so far below the waist's edge (unit: metre).
-  std::vector<int> crotch_vertices;  // Contact of one of these with the body from below ends the pull,
-  double contact_distance = 0.007;   // which is a signed distance up to this (unit: metre).
+  std::vector<int> crotch_vertices;  // One of these has to touch the body from below, and the waist to rise no more,
+  double contact_distance = 0.007;   // to end the pull; touching is a signed distance up to this (unit: metre).
   std::vector<int> edge_vertices;    // The waist's edge; its mean height
   double edge_height = 1e9;          // at this place ends the pull as well (unit: metre).
   int substep_limit = 1200;          // Of 0.5 ms.

@@ -12,6 +12,7 @@ namespace {
 constexpr int kPullInterval = 16;        // Substeps between looks at crotch and waist while pulling up.
 constexpr int kPullPatience = 12;        // So many looks without
 constexpr double kPullProgress = 2e-4;   // this much of a rise (unit: metre) and the garment is stuck.
+constexpr double kTautProgress = 1e-3;   // Less, and cloth between crotch and waist is taut.
 constexpr double kFromBelow = 0.4;       // The body's normal points down by more than this share at the groin.
 constexpr int kLongestBelting = 1200;    // Substeps for the waist's way to the belt,
 constexpr int kSettlingAfterBelt = 192;  // and for the cloth below to follow.
@@ -48,8 +49,11 @@ Status PullUp(const PullUpOptions& pull, const WeldedCloth& cloth) {
         static_cast<float>(grip * pull.speed);
   }
   int looks_without_progress = 0;
+  bool has_touched = false;
+  bool is_taut = false;  // Where the crotch touches, the waist may still hang: whoever pulls goes on until it does not.
   for (int look = 0; report.pulling_substeps < pull.substep_limit; ++look) {
-    if (TouchesFromBelow(pull, run)) {
+    has_touched = has_touched || TouchesFromBelow(pull, run);
+    if (has_touched && is_taut) {
       report.pull_end = PullEnd::kCrotchContact;
       break;
     }
@@ -69,6 +73,7 @@ Status PullUp(const PullUpOptions& pull, const WeldedCloth& cloth) {
     run.TakePositions(cloth.model, cloth.state);
     if (look % 4 == 3) cloth.solver.RaiseOffsets(cloth.state, run.options.sample_clearance);
     const double height = mean_height();
+    is_taut = height < highest + kTautProgress;
     looks_without_progress = height > highest + kPullProgress ? 0 : looks_without_progress + 1;
     highest = std::max(highest, height);
   }
