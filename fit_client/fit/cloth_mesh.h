@@ -38,4 +38,17 @@ struct ClothMesh {
   std::vector<double> right_sleeve_weights;
 };
 
+// The pieces that a mesh is cut in: what triangles join, seams aside.
+struct ClothPieces {
+  std::vector<int> piece_of_particle;  // Pieces are numbered by their lowest particles.
+  int count = 0;
+};
+
+// Finds the pieces; a particle without a triangle is one of its own.
+ClothPieces FindPieces(const ClothMesh& mesh);
+
+// The mean over triangles of the lengths of their edges at rest: inner edges count twice (unit: metre); 0 without
+// triangles.
+double MeanEdgeLength(const ClothMesh& mesh);
+
 }  // namespace fitroom

@@ -89,18 +89,6 @@ std::vector<ClothMesh> CoarserMeshes(double pitch, const Mesh& mesh) {
 
 }  // namespace
 
-double MeanEdgeLength(const ClothMesh& cloth) {
-  double sum = 0.0;
-  for (const Eigen::Vector3i& triangle : cloth.triangles) {
-    for (int k = 0; k < 3; ++k) {
-      sum += (cloth.rest_positions[static_cast<size_t>(triangle[k])] -
-              cloth.rest_positions[static_cast<size_t>(triangle[(k + 1) % 3])])
-                 .norm();
-    }
-  }
-  return cloth.triangles.empty() ? 0.0 : sum / (3.0 * static_cast<double>(cloth.triangles.size()));
-}
-
 Result<CutGarment> CutGarmentToSize(const Garment& garment, const CutOptions& options) {
   CutGarment cut;
   cut.kind = garment.kind;

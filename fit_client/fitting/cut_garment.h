@@ -41,7 +41,4 @@ struct CutGarment {
 // fails like ReconcileViews(), GradePattern(), BuildFork() and MeshPattern().
 Result<CutGarment> CutGarmentToSize(const Garment& garment, const CutOptions& options);
 
-// Returns the mean length of the triangles' sides at rest (unit: metre).
-double MeanEdgeLength(const ClothMesh& cloth);
-
 }  // namespace fitroom

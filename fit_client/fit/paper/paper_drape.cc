@@ -19,18 +19,6 @@ constexpr double kMeasuringPitch = 0.004;  // Of the distance field that penetra
 
 constexpr double kAirDrag = 12.0;  // That of the standard while cloth hangs (unit: 1/s).
 
-double MeanEdgeLength(const ClothMesh& mesh) {
-  double sum = 0.0;
-  for (const Eigen::Vector3i& triangle : mesh.triangles) {
-    for (int corner = 0; corner < 3; ++corner) {
-      sum += (mesh.rest_positions[static_cast<size_t>(triangle[corner])] -
-              mesh.rest_positions[static_cast<size_t>(triangle[(corner + 1) % 3])])
-                 .norm();
-    }
-  }
-  return sum / (3.0 * static_cast<double>(mesh.triangles.size()));
-}
-
 // The largest of values that may be none.
 double LargestOf(const std::vector<double>& values) {
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -23,41 +22,14 @@ Vector2d AtRest(const ClothMesh& mesh, int vertex) {
   return mesh.rest_positions[static_cast<size_t>(vertex)].head<2>();
 }
 
-// The connected parts of a mesh, numbered by their lowest vertex.
-struct Pieces {
-  std::vector<int> piece_of_vertex;
-  std::vector<int> panel_of_piece;
-};
-
-Pieces FindPieces(const ClothMesh& mesh) {
-  std::vector<int> parent(mesh.rest_positions.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int vertex) {
-    while (parent[static_cast<size_t>(vertex)] != vertex) {
-      parent[static_cast<size_t>(vertex)] = parent[static_cast<size_t>(parent[static_cast<size_t>(vertex)])];
-      vertex = parent[static_cast<size_t>(vertex)];
-    }
-    return vertex;
-  };
-  for (const Eigen::Vector3i& triangle : mesh.triangles) {
-    for (const int other : {triangle[1], triangle[2]}) {
-      const int a = root(triangle[0]);
-      const int b = root(other);
-      parent[static_cast<size_t>(std::max(a, b))] = std::min(a, b);
-    }
+// The panel of each piece. Panels read from a file do not say which is which: 0.
+std::vector<int> PanelsOf(const ClothPieces& pieces, const ClothMesh& mesh) {
+  std::vector<int> panels(static_cast<size_t>(pieces.count), 0);
+  const size_t count = std::min(mesh.panel_of_particle.size(), pieces.piece_of_particle.size());
+  for (size_t particle = 0; particle < count; ++particle) {
+    panels[static_cast<size_t>(pieces.piece_of_particle[particle])] = mesh.panel_of_particle[particle];
   }
-  Pieces pieces;
-  for (size_t vertex = 0; vertex < parent.size(); ++vertex) {
-    const int first = root(static_cast<int>(vertex));
-    if (first == static_cast<int>(vertex)) {
-      pieces.piece_of_vertex.push_back(static_cast<int>(pieces.panel_of_piece.size()));
-      // Panels read from a file do not say which is which.
-      pieces.panel_of_piece.push_back(vertex < mesh.panel_of_particle.size() ? mesh.panel_of_particle[vertex] : 0);
-    } else {
-      pieces.piece_of_vertex.push_back(pieces.piece_of_vertex[static_cast<size_t>(first)]);
-    }
-  }
-  return pieces;
+  return panels;
 }
 
 // The triangles of one flat piece by the cells of a grid that they overlap.
@@ -166,15 +138,15 @@ PlaceOnMesh PieceGrid::Find(const Vector2d& point) const {
 }  // namespace
 
 Result<std::vector<PlaceOnMesh>> FindPlaces(const ClothMesh& coarse, const ClothMesh& fine) {
-  const Pieces pieces = FindPieces(coarse);
-  const Pieces fine_pieces = FindPieces(fine);
-  if (pieces.panel_of_piece != fine_pieces.panel_of_piece || coarse.triangles.empty()) {
+  const ClothPieces pieces = FindPieces(coarse);
+  const ClothPieces fine_pieces = FindPieces(fine);
+  if (PanelsOf(pieces, coarse) != PanelsOf(fine_pieces, fine) || coarse.triangles.empty()) {
     return InvalidArgument("MESHES_DIFFER", "the coarse and the fine mesh are not of the same panels");
   }
-  std::vector<std::vector<int>> triangles(pieces.panel_of_piece.size());
+  std::vector<std::vector<int>> triangles(static_cast<size_t>(pieces.count));
   for (size_t index = 0; index < coarse.triangles.size(); ++index) {
     const size_t vertex = static_cast<size_t>(coarse.triangles[index][0]);
-    triangles[static_cast<size_t>(pieces.piece_of_vertex[vertex])].push_back(static_cast<int>(index));
+    triangles[static_cast<size_t>(pieces.piece_of_particle[vertex])].push_back(static_cast<int>(index));
   }
   std::vector<PieceGrid> grids;
   for (std::vector<int>& of_piece : triangles) {
@@ -185,7 +157,7 @@ Result<std::vector<PlaceOnMesh>> FindPlaces(const ClothMesh& coarse, const Cloth
   places.reserve(fine.rest_positions.size());
   for (size_t vertex = 0; vertex < fine.rest_positions.size(); ++vertex) {
     places.push_back(
-        grids[static_cast<size_t>(fine_pieces.piece_of_vertex[vertex])].Find(AtRest(fine, static_cast<int>(vertex))));
+        grids[static_cast<size_t>(fine_pieces.piece_of_particle[vertex])].Find(AtRest(fine, static_cast<int>(vertex))));
   }
   return places;
 }

@@ -52,20 +52,17 @@ constexpr double kDeepestAfterTug = 1e-4;
 
 // The mean edge of the mesh, of one with edges of several lengths not much more than the short ones, within what the
 // steps were tuned on (unit: metre).
-double MeanEdgeLength(const ClothMesh& mesh) {
+double WorkingEdgeLength(const ClothMesh& mesh) {
   constexpr double kOverShort = 1.25;  // Meshes of one pitch stay below.
-  double sum = 0.0;
   std::vector<double> lengths;
   for (const Eigen::Vector3i& triangle : mesh.triangles) {
     for (int corner = 0; corner < 3; ++corner) {
       lengths.push_back((mesh.rest_positions[static_cast<size_t>(triangle[corner])] -
                          mesh.rest_positions[static_cast<size_t>(triangle[(corner + 1) % 3])])
                             .norm());
-      sum += lengths.back();
     }
   }
-  const double mean = sum / (3.0 * static_cast<double>(mesh.triangles.size()));
-  return std::clamp(std::min(mean, kOverShort * Percentile(lengths, 0.1)), 0.004, 0.025);
+  return std::clamp(std::min(MeanEdgeLength(mesh), kOverShort * Percentile(lengths, 0.1)), 0.004, 0.025);
 }
 
 // The pairs that were closed by merging and do not give way.
@@ -269,7 +266,7 @@ Status HangingGarment::ComeToRest(bool starts_worn) {
   const DrapeOptions& options = run_.options;
   DrapeReport& report = run_.report;
   MotionOptions motion;
-  const double edge_scale = MeanEdgeLength(run_.mesh) / 0.01;
+  const double edge_scale = WorkingEdgeLength(run_.mesh) / 0.01;
   bool is_settling = starts_worn;
   motion.time_step = (is_settling ? kSettlingStep : kFallingStep) * edge_scale;
   motion.gravity = options.gravity;

@@ -19,46 +19,13 @@ constexpr int kPatience = 8;            // Looks without progress before pulls a
 constexpr double kStrongestPull = 8.0;  // as far as this times the closing speed; then merging is given up.
 constexpr double kProgress = 2e-4;      // Less than this in `kPatience` looks is no progress (unit: metre).
 
-// The connected parts of a mesh, numbered by their lowest vertex.
-struct Panels {
-  std::vector<int> panel_of_vertex;
-  int count = 0;
-};
-
-Panels FindPanels(const ClothMesh& mesh) {
-  std::vector<int> parent(mesh.rest_positions.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int vertex) {
-    while (parent[static_cast<size_t>(vertex)] != vertex) {
-      parent[static_cast<size_t>(vertex)] = parent[static_cast<size_t>(parent[static_cast<size_t>(vertex)])];
-      vertex = parent[static_cast<size_t>(vertex)];
-    }
-    return vertex;
-  };
-  for (const Eigen::Vector3i& triangle : mesh.triangles) {
-    for (const int other : {triangle[1], triangle[2]}) {
-      const int a = root(triangle[0]);
-      const int b = root(other);
-      parent[static_cast<size_t>(std::max(a, b))] = std::min(a, b);
-    }
-  }
-  Panels panels;
-  panels.panel_of_vertex.resize(parent.size());
-  for (size_t vertex = 0; vertex < parent.size(); ++vertex) {
-    const int first = root(static_cast<int>(vertex));  // The lowest vertex of the panel, seen before all others.
-    panels.panel_of_vertex[vertex] =
-        first == static_cast<int>(vertex) ? panels.count++ : panels.panel_of_vertex[static_cast<size_t>(first)];
-  }
-  return panels;
-}
-
 // Whole panels move towards their partners, like someone laying them on the body, so that the outline does not have to
 // drag them there. The speed falls with the gap that is left.
-void SetApproachWind(const DrapeRun& run, const ClothModel& model, const Panels& panels, double mean_gap,
+void SetApproachWind(const DrapeRun& run, const ClothModel& model, const ClothPieces& pieces, double mean_gap,
                      ClothState& state) {
-  std::vector<Eigen::Vector3d> way(static_cast<size_t>(panels.count), Eigen::Vector3d::Zero());
+  std::vector<Eigen::Vector3d> way(static_cast<size_t>(pieces.count), Eigen::Vector3d::Zero());
   const auto panel_of = [&](int vertex) {
-    return static_cast<size_t>(panels.panel_of_vertex[static_cast<size_t>(vertex)]);
+    return static_cast<size_t>(pieces.piece_of_particle[static_cast<size_t>(vertex)]);
   };
   for (const SeamPair& pair : run.mesh.seams) {
     const Eigen::Vector3d to_b =
@@ -126,7 +93,7 @@ void DescribeGaps(DrapeRun& run) {
 
 Status MergeSeams(DrapeRun& run) {
   FR_ASSIGN_OR_RETURN(const ClothModel model, ClothModel::Create(run.mesh, run.options.material, {}));
-  const Panels panels = FindPanels(run.mesh);
+  const ClothPieces pieces = FindPieces(run.mesh);
   ClothSolver solver(model, run.body, run.executor);
   solver.SetMotion(QuasiStaticMotion(run.options));
   ClothState state = solver.MakeState(run.ParticlePositions(model));
@@ -148,7 +115,7 @@ Status MergeSeams(DrapeRun& run) {
       strength = strength >= kStrongestPull ? 1.0 : 2.0 * strength;
       looks_since_progress = 0;
     }
-    SetApproachWind(run, model, panels, mean, state);
+    SetApproachWind(run, model, pieces, mean, state);
     solver.Advance(state, kCheckInterval, run.MakePullsAndTies(model, PairsToClose(run)),
                    strength * run.options.closing_speed);
     run.report.merging_substeps += kCheckInterval;

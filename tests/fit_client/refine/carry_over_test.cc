@@ -27,6 +27,26 @@ std::vector<Eigen::Vector3d> MappedAll(const ClothMesh& mesh) {
   return positions;
 }
 
+// Pieces of two triangles, and one beside them: numbered by their lowest particles, seams do not join them.
+TEST(ClothMesh, PiecesAreWhatTrianglesJoin) {
+  ClothMesh mesh;
+  mesh.rest_positions = {{0, 0, 0}, {5, 0, 0}, {1, 0, 0}, {6, 0, 0}, {0, 1, 0}, {5, 1, 0}, {1, 1, 0}, {9, 9, 0}};
+  mesh.triangles = {{0, 2, 4}, {1, 3, 5}, {6, 4, 2}};
+  mesh.seams = {{2, 1}};
+  const ClothPieces pieces = FindPieces(mesh);
+  EXPECT_EQ(pieces.piece_of_particle, (std::vector<int>{0, 1, 0, 1, 0, 1, 0, 2}));
+  EXPECT_EQ(pieces.count, 3);
+  EXPECT_EQ(FindPieces({}).count, 0);
+}
+
+TEST(ClothMesh, TheMeanEdgeOfUnitRightTrianglesIsTheirPerimetersThird) {
+  ClothMesh mesh;
+  mesh.rest_positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  mesh.triangles = {{0, 1, 2}, {3, 2, 1}};
+  EXPECT_NEAR(MeanEdgeLength(mesh), (2.0 + std::sqrt(2.0)) / 3.0, 1e-12);
+  EXPECT_EQ(MeanEdgeLength({}), 0.0);
+}
+
 // Barycentric interpolation and extrapolation reproduce affine maps exactly, beside the coarse outline as well.
 TEST(CarryOver, ReproducesAnAffineMapOnEveryVertexOfTheFinerMesh) {
   const GarmentPattern pattern = ReconcileViews(testing::DrawKind(GarmentKind::kTShirt)).value();
