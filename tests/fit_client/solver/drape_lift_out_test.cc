@@ -58,6 +58,16 @@ TEST(LiftOut, MovesTheCornersOfAnEdgeThatLiesAcrossARidge) {
   EXPECT_EQ(lifted.after[2], Eigen::Vector3d(0.0, 0.03, 0.0));
 }
 
+TEST(LiftOut, LeadsOutOfACreviceThatIsNarrowerThanACell) {
+  // A crevice of 0.2 mm between two boxes, open at the top: straight off one wall leads into the other.
+  SignedDistanceField body = BoxField({-0.05, -0.05, -0.05}, {-0.0001, 0.0, 0.05});
+  body.Unite(BoxField({0.0001, -0.05, -0.05}, {0.05, 0.0, 0.05}));
+  const LiftedTriangle lifted({Eigen::Vector3d(0.0002, -0.001, 0.0), {0.0, 0.02, 0.01}, {0.0, 0.02, -0.01}}, body);
+  EXPECT_GE(body.ExactDistance(lifted.after[0]), kLiftedDistance);
+  EXPECT_GT(lifted.after[0].y(), 0.0);
+  EXPECT_NEAR(lifted.after[0].x(), 0.0, 0.002);
+}
+
 TEST(LiftOut, KeepsTheRoundThatLeftLeastInsideWhereThereIsNoRoom) {
   // A gap of 0.1 mm between two boxes: the way out of one leads into the other, over and over.
   SignedDistanceField body = BoxField({-0.05, -0.05, -0.05}, {0.05, 0.0, 0.05});
