@@ -15,8 +15,9 @@ struct WeldedCloth {
   ClothState& state;
 };
 
-// Moves the garment up without gravity, by the drag of an upward wind at its waist, until the crotch or the waist is
-// where it belongs or nothing rises any more. Fails with INTERNAL where the state stops being finite.
+// Moves the garment up without gravity, by the drag of an upward wind at its waist, until the crotch has touched the
+// body and the cloth above it is taut, the waist is where it belongs, or nothing rises any more. Fails with INTERNAL
+// where the state stops being finite.
 Status PullUp(const PullUpOptions& pull, const WeldedCloth& cloth);
 
 // Asks the options where the waist is to be held, and keeps it as the run's belt: vertices of the mesh.
